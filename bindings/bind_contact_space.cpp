@@ -1,0 +1,3 @@
+#include "common.hpp"
+
+void bind_contact_space(py::module_&) {}

@@ -1,0 +1,61 @@
+#include "common.hpp"
+#include "zmpwalk/robot/description.hpp"
+
+using namespace zmpwalk;
+
+void bind_description(py::module_& m) {
+  py::class_<Foot>(m, "Foot", "One flat foot: body, sole frame and size, and the six joints of its leg, hip to ankle.")
+      .def(py::init([](std::string body, std::string sole_site, const Vec3& sole_pos, const Eigen::Vector4d& sole_quat, double length,
+                       double width, std::vector<std::string> leg_joints) {
+             return Foot{std::move(body), std::move(sole_site), sole_pos, sole_quat, length, width, std::move(leg_joints)};
+           }),
+           py::kw_only(), "body"_a, "sole_site"_a = "", "sole_pos"_a, "sole_quat"_a = Eigen::Vector4d(1, 0, 0, 0), "length"_a,
+           "width"_a, "leg_joints"_a)
+      .def_readonly("body", &Foot::body, "body that carries the sole")
+      .def_readonly("sole_site", &Foot::sole_site, "site at the sole's centre, or ''")
+      .def_readonly("sole_pos", &Foot::sole_pos, "sole centre in the body's frame (3,) [m]")
+      .def_readonly("sole_quat", &Foot::sole_quat, "sole axes in the body's frame (w, x, y, z)")
+      .def_readonly("length", &Foot::length, "of the sole [m]")
+      .def_readonly("width", &Foot::width, "of the sole [m]")
+      .def_readonly("leg_joints", &Foot::leg_joints, "six joint names, hip to ankle");
+
+  py::class_<RobotDescription>(m, "RobotDescription", "What tells one robot from another; all addressing is by name.")
+      .def(py::init([](std::string name, std::string root_joint, const Foot& left, const Foot& right,
+                       std::map<std::string, double> stand_joints, const Vec3& stand_base_pos, const Eigen::Vector4d& stand_base_quat,
+                       std::string stand_keyframe) {
+             RobotDescription d;
+             d.name = std::move(name);
+             d.root_joint = std::move(root_joint);
+             d.feet = {left, right};
+             d.stand_joints = std::move(stand_joints);
+             d.stand_base_pos = stand_base_pos;
+             d.stand_base_quat = stand_base_quat;
+             d.stand_keyframe = std::move(stand_keyframe);
+             return d;
+           }),
+           py::kw_only(), "name"_a, "root_joint"_a, "left"_a, "right"_a, "stand_joints"_a, "stand_base_pos"_a,
+           "stand_base_quat"_a = Eigen::Vector4d(1, 0, 0, 0), "stand_keyframe"_a = "")
+      .def_readonly("name", &RobotDescription::name)
+      .def_readonly("root_joint", &RobotDescription::root_joint, "the free joint")
+      .def_property_readonly("left", [](const RobotDescription& d) { return d.feet[kLeft]; })
+      .def_property_readonly("right", [](const RobotDescription& d) { return d.feet[kRight]; })
+      .def_readonly("stand_joints", &RobotDescription::stand_joints, "start posture by joint name [rad or m]")
+      .def_readonly("stand_base_pos", &RobotDescription::stand_base_pos, "base position, soles on z = 0 (3,) [m]")
+      .def_readonly("stand_base_quat", &RobotDescription::stand_base_quat, "base orientation (w, x, y, z)")
+      .def_readonly("stand_keyframe", &RobotDescription::stand_keyframe)
+      .def(
+          "check", [](const RobotDescription& d, const py::object& model) { d.check(model_of(model)); }, "model"_a,
+          "Raises ModelError unless this robot is in `model` and can be walked.")
+      .def(
+          "place",
+          [](const RobotDescription& d, const py::object& model, const py::object& data, double ground) {
+            d.place(model_of(model), data_of(data), ground);
+          },
+          "model"_a, "data"_a, "ground"_a = 0.0,
+          "Puts the robot into its start pose, at rest, soles on z = ground [m]; only its own qpos and qvel change.\n\n"
+          "Raises:\n    ModelError: as check().");
+
+  m.def(
+      "describe", [](const py::object& model) { return describe(model_of(model)); }, "model"_a,
+      "Description of a model with box sites left_sole, right_sole and a keyframe stand.\n\nRaises:\n    ModelError: says what is missing.");
+}

@@ -1,0 +1,3 @@
+#include "common.hpp"
+
+void bind_dynamics(py::module_&) {}

@@ -1,0 +1,3 @@
+#include "common.hpp"
+
+void bind_gait_generator(py::module_&) {}

@@ -1,0 +1,3 @@
+#include "common.hpp"
+
+void bind_reference_iteration(py::module_&) {}

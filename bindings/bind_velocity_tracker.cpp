@@ -1,0 +1,3 @@
+#include "common.hpp"
+
+void bind_velocity_tracker(py::module_&) {}

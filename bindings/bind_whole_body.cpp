@@ -1,0 +1,3 @@
+#include "common.hpp"
+
+void bind_whole_body(py::module_&) {}

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "zmpwalk/control/contact_space.hpp"
+#include "zmpwalk/math/types.hpp"
+
+namespace zmpwalk {
+
+/// Eq. 8: commanded acceleration of a proportional-derivative task, f* = k_p (x_d - x) + k_d (v_d - v).
+///
+/// @param kp [1/s^2]  @param kd [1/s]  @param position_error x_d - x  @param velocity_error v_d - v
+template <class P, class V>
+auto pd_acceleration(double kp, double kd, const P& position_error, const V& velocity_error) {
+  return kp * position_error + kd * velocity_error;  // Eq. (8)
+}
+
+/// Equations 1 and 3-7 as printed (with the erratum of (7)): the definition, and the oracle of the tests.
+///
+/// Dense inverses, allocating; the walking cycle takes `WholeBodyController`'s direct path, which gives the same numbers.
+struct TaskSpace {
+  /// @param contact  contact space of the same instant, already computed
+  /// @param b, g     (nv,)   @param J (m, nv) stacked task Jacobian   @param drift (m,) = Jdot dq
+  /// @throws DimensionError; InputError where the tasks are in conflict (Lambda does not exist)
+  TaskSpace(const ContactSpace& contact, const ConstVecRef& b, const ConstVecRef& g, const ConstMatRef& J,
+            const ConstVecRef& drift);
+
+  RowMatX Lambda;  ///< (m, m) task inertia under contact
+  RowMatX JbarT;   ///< (m, nv)
+  VecX mu;         ///< (m,)
+  VecX p;          ///< (m,)
+  RowMatX J_k;     ///< (m, joints): modified task Jacobian
+  RowMatX N_k;     ///< (joints, joints): torques through it leave the tasks alone
+  RowMatX V_n;     ///< (joints, rows - 6): torques that change the contact wrenches only (internal forces)
+
+  /// Eq. 1: task force F (m,) for commanded acceleration f* (m,).
+  VecX force(const ConstVecRef& f_star) const;
+  /// Eq. 7: joint torque (joints,) for task force F (m,).
+  VecX torque(const ConstVecRef& F) const;
+};
+
+}  // namespace zmpwalk

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <vector>
+
+#include "zmpwalk/control/contact_space.hpp"
+#include "zmpwalk/control/dynamics.hpp"
+#include "zmpwalk/control/task_space.hpp"
+#include "zmpwalk/zmp/estimate.hpp"
+
+namespace zmpwalk {
+
+/// Commanded accelerations f* of the stacked tasks.
+struct TaskAccelerations {
+  Vec3 com = Vec3::Zero();     ///< COM, W [m/s^2]
+  Vec3 trunk = Vec3::Zero();   ///< base orientation, world axes [rad/s^2]
+  Vec6 swing = Vec6::Zero();   ///< swing sole, linear then angular, world axes; used where one foot stands
+  VecX posture;                ///< (joints,) [rad/s^2]; entries of leg joints are not used
+};
+
+/// Which feet stand, and about which the ZMP is taken.
+struct Stance {
+  std::array<bool, 2> standing{true, true};
+  Side support = kLeft;
+  Vec3 lateral = Vec3::UnitY();  ///< horizontal direction in which two feet share the load
+  bool both() const { return standing[kLeft] && standing[kRight]; }
+  Side swing() const { return standing[kLeft] ? kRight : kLeft; }  ///< meaningful where one foot stands
+};
+
+/// How the torque is found; the defaults give the product, the others show what an ingredient is for.
+struct WholeBodyOptions {
+  bool textbook = false;            ///< equations 1-13 as printed instead of the direct path
+  bool posture_task = true;         ///< stack waist and arms; without it their motion is left to the minimum-norm torque
+  bool wrench_distribution = true;  ///< share the load in double support; without it the minimum-norm torque decides
+  double damping = 1e-3;            ///< of the least-squares motion where a leg is straight [1 in rows of K]
+  double singular_pivot = 1e-2;     ///< pivot below which the legs count as singular
+};
+
+/// Torque, motion and contact wrenches of one cycle.
+struct WholeBodyResult {
+  VecX tau;                               ///< (joints,) [N m]
+  VecX ddq;                               ///< (nv,)
+  Vec12 f_c = Vec12::Constant(kNaN);      ///< robot on ground, left then right, at the sole centres, world axes; NaN in the air
+  bool damped = false;                    ///< a leg was near singular and the motion was damped
+};
+
+/// Contact-consistent whole-body control of a biped: COM, trunk orientation, swing foot and posture, stacked.
+///
+/// With posture stacked the motion is fully determined (single support 6 + 25 rows, double support 12 + 19, for 31
+/// coordinates), so the torque of (1)-(7) follows without pseudo-inverses: [J_c; J] ddq = [-drift_c; f* - drift] gives ddq,
+/// the base rows of A ddq + h + J_c' f_c = S' tau give the total contact wrench, its exact sharing the wrench of each foot,
+/// and the joint rows the torque. `TaskSpace` is the definition; both give the same numbers.
+///
+/// Everything is affine in the horizontal COM acceleration (f*_x, f*_y) while F_z does not depend on it: `prepare` does the work
+/// once, `zmp` and `solve` then cost next to nothing.
+class WholeBodyController {
+ public:
+  /// @param nv    velocity coordinates
+  /// @param legs  joint indices of the two legs, six each, left and right
+  /// @throws DimensionError
+  WholeBodyController(int nv, const std::array<std::vector<int>, 2>& legs, const WholeBodyOptions& options = {});
+
+  /// Takes one instant. `f_star.com`'s x and y are not used here. The direct path allocates nothing.
+  /// @throws InputError no foot stands; DimensionError
+  void prepare(const Dynamics& dynamics, const Stance& stance, const TaskAccelerations& f_star);
+
+  /// Eq. 9-15 for COM acceleration `f_xy` (2,) [m/s^2]: ZMP in W (2,) [m]. Affine in f_xy.
+  Vec2 zmp(const Vec2& f_xy) const { return zmp_0_ + zmp_slope_ * f_xy; }
+  /// d zmp / d f_xy (2, 2) [s^2].
+  const Mat2& zmp_slope() const { return zmp_slope_; }
+
+  /// Eq. 1-7: torque for COM acceleration `f_xy`. Writes into `out`, whose vectors are sized by `result()`.
+  void solve(const Vec2& f_xy, WholeBodyResult& out) const;
+
+  WholeBodyResult result() const;
+  const WholeBodyOptions& options() const { return options_; }
+
+ private:
+  static constexpr int kUnknowns = 15;  // base translation and two legs
+  using MatK = Eigen::Matrix<double, kUnknowns, kUnknowns>;
+  using MatK3 = Eigen::Matrix<double, kUnknowns, 3>;
+
+  void prepare_direct(const TaskAccelerations& f_star);
+  void prepare_textbook(const TaskAccelerations& f_star);
+  bool uses_textbook() const { return options_.textbook || !options_.posture_task || !options_.wrench_distribution; }
+
+  int nv_;
+  std::array<std::vector<int>, 2> legs_;
+  std::vector<int> posture_;   // joints that are in no leg
+  std::array<int, kUnknowns> unknown_{};
+  WholeBodyOptions options_;
+
+  const Dynamics* dynamics_ = nullptr;
+  Stance stance_;
+  bool damped_ = false;
+  MatX3 ddq_, w_;              // columns: value at f_xy = 0, slope in x, slope in y; w = A ddq + h
+  Mat3 F_, M_;                 // total wrench about the support sole, same columns
+  Vec2 zmp_0_ = Vec2::Zero();
+  Mat2 zmp_slope_ = Mat2::Zero();
+  MatX3 tau_, f_c_;            // textbook path: torque and contact wrench, same columns
+  RowMatX V_n_, G_;            // textbook path, two feet: internal torques and what they do to f_c
+};
+
+}  // namespace zmpwalk

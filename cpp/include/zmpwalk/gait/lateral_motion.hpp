@@ -1,0 +1,51 @@
+#pragma once
+
+#include "zmpwalk/gait/pendulum.hpp"
+#include "zmpwalk/gait/schedule.hpp"
+#include "zmpwalk/math/types.hpp"
+
+namespace zmpwalk {
+
+/// Lateral motion, III-D: swing between the feet, switch support at the right instant.
+///
+/// The switch rule is neutrally stable: an error in the start never decays. The orbit feedback (an addition to the paper) shifts the
+/// reference ZMP by r_y so that the DCM arrives where the symmetric orbit has it in the middle of the next double support; r_y is zero
+/// on that orbit.
+class LateralMotion {
+ public:
+  /// @param feedback  orbit feedback on or off   @param reach  largest |r_y| [m]
+  LateralMotion(bool feedback, double reach);
+
+  /// @param support  foot that carries the ZMP at first: the one that swings first
+  void reset(Side support);
+
+  /// Decides, in double support and before the switch, whether the next cycle switches.
+  ///
+  /// @param next   lateral COM state one cycle ahead, about the sole centre of the foot to come [m, m/s]
+  /// @param T      from the next cycle to the middle of the next single support [s]
+  /// @param last   the double support ends with this cycle: switch whatever (18) says
+  /// @return       w(T), eq. 18 [m/s]
+  double check_switch(const LinearInvertedPendulum& pendulum, const PendulumState& next, double T, bool last);
+
+  /// Takes a switch that was decided in the previous cycle; call first in each cycle.
+  void begin_cycle(bool double_support_began);
+
+  /// Reference ZMP about the support's sole centre [m].
+  ///
+  /// @param state  lateral COM state about the support's sole centre   @param width  lateral distance to the other foot [m], > 0
+  /// @param time   until the middle of the next double support [s]     @param period  of a step [s]
+  double reference(const LinearInvertedPendulum& pendulum, const PendulumState& state, double width, double time, double period) const;
+
+  Side support() const { return support_; }
+  /// True in double support until the switch.
+  bool awaits_switch() const { return awaits_; }
+
+ private:
+  bool feedback_;
+  double reach_;
+  Side support_ = kLeft;
+  bool awaits_ = true;
+  bool decided_ = false;
+};
+
+}  // namespace zmpwalk

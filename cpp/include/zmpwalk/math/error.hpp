@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace zmpwalk {
+
+/// A caller's mistake. Every message gives the value, the rule, and what would have worked.
+struct Error : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+/// A value that breaks a rule: NaN, negative, out of range, unknown name.
+struct InputError : Error {
+  using Error::Error;
+};
+/// An array of the wrong shape.
+struct DimensionError : Error {
+  using Error::Error;
+};
+/// A model or robot that cannot be used.
+struct ModelError : Error {
+  using Error::Error;
+};
+
+/// Throws DimensionError unless `got` equals `want`.
+void require_size(const char* name, long got, long want);
+/// Throws DimensionError unless a matrix is (rows, cols).
+void require_shape(const char* name, long rows, long cols, long want_rows, long want_cols);
+/// Throws InputError unless `value` is finite.
+void require_finite(const char* name, double value);
+/// Throws InputError unless `value` is finite and > 0.
+void require_positive(const char* name, double value);
+
+}  // namespace zmpwalk

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "zmpwalk/control/dynamics.hpp"
+#include "zmpwalk/robot/description.hpp"
+
+namespace zmpwalk {
+
+struct MjDataDeleter {
+  void operator()(mjData* d) const { mj_deleteData(d); }
+};
+using MjDataPtr = std::unique_ptr<mjData, MjDataDeleter>;
+
+/// Name of a MuJoCo object, or "" where it has none.
+std::string object_name(const mjModel* m, mjtObj type, int id);
+
+/// Hip, knee and ankle of a leg at the start pose.
+struct RobotLeg {
+  double thigh = 0.0;                   ///< hip to knee [m]
+  double shank = 0.0;                   ///< knee to ankle [m]
+  Vec3 hip_to_ankle = Vec3::Zero();     ///< W [m]
+};
+
+/// One robot inside a MuJoCo model: mjModel and mjData on one side, `Dynamics` on the other.
+///
+/// Works on an mjData of its own: no collision, no constraint solver. `m` must outlive it.
+class Robot {
+ public:
+  /// @throws ModelError  as RobotDescription::check
+  Robot(const mjModel* m, const RobotDescription& description);
+
+  /// Reads the robot's state out of `d` and computes every term of `dynamics()`. Allocates nothing.
+  ///
+  /// A, b, g from mj_crb, mj_rne and mj_passive; Jdot dq by the pass with ddq = 0 along each leg.
+  /// Joint dry friction enters b as c tanh(dq / friction_velocity).
+  void read(const mjData* d);
+  const Dynamics& dynamics() const { return dynamics_; }
+  /// The robot's own part of qpos (nv + 1,) and qvel (nv,), as last read.
+  Eigen::Map<const VecX> qpos() const { return {data_->qpos + qpos0_, nv_ + 1}; }
+  Eigen::Map<const VecX> qvel() const { return {data_->qvel + dof0_, nv_}; }
+
+  /// True where every position and velocity of the robot in `d` is finite.
+  bool is_finite(const mjData* d) const;
+
+  /// Writes joint torques (joints,) [N m] to the motors: ctrl = tau / gear. Allocates nothing.
+  void write_torque(const ConstVecRef& tau, mjData* d) const;
+
+  const mjModel* model() const { return m_; }
+  const RobotDescription& description() const { return description_; }
+  int nv() const { return nv_; }
+  int joints() const { return nv_ - 6; }
+  int qpos_address() const { return qpos0_; }
+  int dof_address() const { return dof0_; }
+  int root_body() const { return root_body_; }
+  int foot_body(Side side) const { return foot_body_[side]; }
+  /// True for bodies that are the foot or hang from it.
+  bool is_foot(Side side, int body) const;
+  bool is_robot(int body) const { return m_->body_rootid[body] == root_body_; }
+  const std::vector<std::string>& joint_names() const { return joint_names_; }
+  /// Torque limits of the joints (joints,) [N m]: |ctrlrange| * gear; infinity where a motor has none.
+  const VecX& torque_limit() const { return torque_limit_; }
+  /// Joint index (0-based, base excluded) of each leg joint, hip to ankle.
+  const std::array<std::vector<int>, 2>& leg_joints() const { return leg_joints_; }
+  /// Joint positions of the start pose (joints,).
+  const VecX& stand() const { return stand_; }
+  /// Position of the lowest leg joints' axes (ankle) in the sole frame: where the ankle torque limit acts [m].
+  Vec3 ankle_in_sole(Side side) const { return ankle_F_[side]; }
+  /// Geometry of a leg at the start pose.
+  RobotLeg leg_at_stand(Side side) const { return leg_[side]; }
+  /// Sole centre in W, from the body poses that `d` holds (after mj_step: those of the state before it) [m].
+  Vec3 sole_centre(Side side, const mjData* d) const;
+  /// Distance of the joint that is nearest to one of its limits in `d` [rad or m]; infinity without limits.
+  double joint_margin(const mjData* d) const;
+  /// Motor of each joint (actuator index).
+  const std::vector<int>& actuators() const { return actuator_; }
+
+  /// Speed below which dry friction is taken as proportional to speed [rad/s].
+  double friction_velocity = 0.02;
+
+ private:
+  struct SoleFrame {
+    int body;
+    Vec3 p_BF;                   // in the foot body
+    Mat3 R_BF;
+    std::vector<int> chain;      // bodies from the root to the foot
+    std::vector<int> dofs;       // robot's dof indices that move it
+  };
+  void read_sole(const SoleFrame& frame, SoleState& out) const;
+
+  const mjModel* m_;
+  RobotDescription description_;
+  MjDataPtr data_;
+  Dynamics dynamics_;
+  int nv_, qpos0_, dof0_, root_body_;
+  std::array<int, 2> foot_body_{};
+  std::array<SoleFrame, 2> frame_;
+  std::vector<std::string> joint_names_;
+  std::vector<int> actuator_;
+  VecX gear_, torque_limit_, stand_, rne_;
+  std::array<std::vector<int>, 2> leg_joints_;
+  std::array<Vec3, 2> ankle_F_;
+  std::array<RobotLeg, 2> leg_;
+  std::vector<mjtNum> full_A_;
+};
+
+}  // namespace zmpwalk

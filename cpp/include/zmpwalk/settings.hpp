@@ -1,0 +1,138 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "zmpwalk/math/types.hpp"
+
+namespace zmpwalk {
+
+enum class Footsteps { kTied, kAbsolute, kPaper, kPrinted, kList };
+enum class ComState { kMeasured, kDesired };
+enum class TrackerLaw { kSmooth, kBangBang };
+enum class Iteration { kClosedForm, kLoop };
+
+/// Every gain, bound and switch of the walk. Not-a-number means "from the robot": resolved when a controller is made.
+///
+/// SI units. `law` picks a preset ("default" or "paper"); everything can be set afterwards. Names, units and reasons are
+/// listed once, in `visit_settings`.
+struct WalkSettings {
+  /// @throws InputError unknown preset
+  explicit WalkSettings(const std::string& law = "default");
+
+  std::string law;
+
+  // The cycle
+  double control_dt = kNaN, T_ds = kNaN, T_ss = kNaN, T_ds_first = kNaN;
+  std::string first_swing = "right";
+  // Velocity tracking (III-C) and the reference ZMP (III-B)
+  TrackerLaw tracker = TrackerLaw::kSmooth;
+  double tracker_gain = kNaN, tracker_time = kNaN, tracker_deadband = 2e-4;
+  bool zmp_modification = true;
+  Iteration iteration = Iteration::kClosedForm;
+  double zmp_threshold = 1e-3;
+  int max_iterations = 200;
+  double sole_fraction = 0.72, ankle_torque_fraction = 0.9;
+  bool bound_lateral = true;
+  // COM
+  ComState com_state = ComState::kMeasured;
+  bool feed_forward = true;
+  double com_x_kp = kNaN, com_x_kd = kNaN, com_y_kp = kNaN, com_y_kd = kNaN, com_z_kp = kNaN, com_z_kd = kNaN;
+  // Lateral motion (III-D)
+  bool lateral_feedback = true;
+  double lateral_reach = 0.4;
+  // Footsteps and the swing foot
+  Footsteps footsteps = Footsteps::kTied;
+  std::vector<double> step_lengths;
+  double step_width = kNaN, step_height = kNaN, foothold_reach = kNaN, foothold_time = kNaN, foothold_freeze = 0.7;
+  bool swing_feed_forward = true;
+  double swing_kp = kNaN, swing_kd = kNaN;
+  // The other tasks, double support
+  double trunk_kp = kNaN, trunk_kd = kNaN, posture_kp = kNaN, posture_kd = kNaN;
+  bool posture_task = true, wrench_distribution = true, textbook = false;
+  double singular_damping = 1e-3, singular_pivot = 1e-2;
+  double friction_velocity = 0.02;
+  // A fall
+  double fall_height = 0.6, fall_tilt = 0.8;
+};
+
+/// Calls `v(name, member, unit, meaning)` for every setting of `s`, in one order, for tables, keywords and files.
+template <class Settings, class Visitor>
+void visit_settings(Settings& s, Visitor&& v) {
+  v("control_dt", s.control_dt, "s", "control period, a multiple of the model's time step; NaN: the model's time step");
+  v("T_ds", s.T_ds, "s", "double support time; NaN: one fifth of the step period, which goes as sqrt(COM height)");
+  v("T_ss", s.T_ss, "s", "single support time; NaN: four fifths of the step period");
+  v("T_ds_first", s.T_ds_first, "s", "first double support; NaN: computed so that the lateral orbit starts symmetric");
+  v("first_swing", s.first_swing, "", "foot that swings first, 'right' or 'left'");
+  v("tracker", s.tracker, "", "velocity tracker: 'smooth' or 'bang_bang' (III-C as printed)");
+  v("tracker_gain", s.tracker_gain, "1/s", "smooth tracker: speed asked for per metre of integrated error; NaN: 1.38 / T_c");
+  v("tracker_time", s.tracker_time, "s", "smooth tracker: time in which a speed error is removed; NaN: 0.18 T_c");
+  v("tracker_deadband", s.tracker_deadband, "m", "bang-bang tracker: integrated error that counts as zero before a drive starts");
+  v("zmp_modification", s.zmp_modification, "", "keep the estimated ZMP inside its bounds (III-B, III-C); False: track v_plan blindly");
+  v("iteration", s.iteration, "", "how the reference ZMP is found: 'closed_form' or 'loop' (III-B)");
+  v("zmp_threshold", s.zmp_threshold, "m", "|desired - estimated ZMP| at which the loop ends (section IV)");
+  v("max_iterations", s.max_iterations, "", "bound of the loop");
+  v("sole_fraction", s.sole_fraction, "", "share of the sole that the ZMP may use");
+  v("ankle_torque_fraction", s.ankle_torque_fraction, "", "share of the ankle's torque limit that may hold the ZMP");
+  v("bound_lateral", s.bound_lateral, "", "bound the lateral ZMP too; the paper bounds the sagittal one only");
+  v("com_state", s.com_state, "", "'current' COM state in (16), (17): 'measured' or 'desired' (the previous one)");
+  v("feed_forward", s.feed_forward, "", "add the pendulum's acceleration to (8)");
+  v("com_x_kp", s.com_x_kp, "1/s^2", "COM, forward; NaN: scaled with 1/T_c^2");
+  v("com_x_kd", s.com_x_kd, "1/s", "COM, forward; NaN: scaled with 1/T_c");
+  v("com_y_kp", s.com_y_kp, "1/s^2", "COM, lateral");
+  v("com_y_kd", s.com_y_kd, "1/s", "COM, lateral");
+  v("com_z_kp", s.com_z_kp, "1/s^2", "COM, height");
+  v("com_z_kd", s.com_z_kd, "1/s", "COM, height");
+  v("lateral_feedback", s.lateral_feedback, "", "shift the lateral reference ZMP so that the orbit repeats; False: (17) alone");
+  v("lateral_reach", s.lateral_reach, "", "largest such shift, as a share of the half sole width");
+  v("footsteps", s.footsteps, "", "'tied' to the COM, 'absolute', 'paper', 'printed' or 'list' (step_lengths)");
+  v("step_lengths", s.step_lengths, "m", "lead of each step over the stance foot, the last one repeated");
+  v("step_width", s.step_width, "m", "lateral distance of the feet; NaN: as they stand at the start");
+  v("step_height", s.step_height, "m", "height of the swing foot; NaN: 0.0535 of the COM height");
+  v("foothold_reach", s.foothold_reach, "m", "tied footholds: largest distance from the nominal foothold; NaN: 0.11 of the COM height");
+  v("foothold_time", s.foothold_time, "s", "tied footholds: time constant of the low-pass on the target; NaN: 0.18 T_c");
+  v("foothold_freeze", s.foothold_freeze, "", "tied footholds: share of the single support after which the target stands");
+  v("swing_feed_forward", s.swing_feed_forward, "", "add the spline's acceleration to the swing foot's task");
+  v("swing_kp", s.swing_kp, "1/s^2", "swing foot, position and orientation");
+  v("swing_kd", s.swing_kd, "1/s", "swing foot, position and orientation");
+  v("trunk_kp", s.trunk_kp, "1/s^2", "trunk orientation");
+  v("trunk_kd", s.trunk_kd, "1/s", "trunk orientation");
+  v("posture_kp", s.posture_kp, "1/s^2", "joints that are in no leg");
+  v("posture_kd", s.posture_kd, "1/s", "joints that are in no leg");
+  v("posture_task", s.posture_task, "", "stack the posture of waist and arms");
+  v("wrench_distribution", s.wrench_distribution, "", "share the load of two standing feet; False: minimum-norm torque");
+  v("textbook", s.textbook, "", "equations 1-13 as printed instead of the direct path: slower, the same numbers");
+  v("singular_damping", s.singular_damping, "", "damping of the motion where a leg is straight");
+  v("singular_pivot", s.singular_pivot, "", "pivot below which a leg counts as straight");
+  v("friction_velocity", s.friction_velocity, "rad/s", "joint speed below which dry friction is taken as proportional to speed");
+  v("fall_height", s.fall_height, "", "COM height over the support foot, as a share of the start's, that counts as a fall");
+  v("fall_tilt", s.fall_tilt, "rad", "trunk tilt that counts as a fall");
+}
+
+/// What the defaults scale with.
+struct RobotScale {
+  double com_height = 0.0;        ///< over the soles, at the start pose [m]
+  double gravity = 0.0;           ///< [m/s^2]
+  double timestep = 0.0;          ///< of the model [s]
+  double foot_distance = 0.0;     ///< lateral, at the start pose [m]
+};
+
+/// `settings` with every NaN replaced by the robot's value, all checked.
+/// @throws InputError  a value that breaks a rule: the message gives name, value and rule
+WalkSettings resolve(const WalkSettings& settings, const RobotScale& robot);
+
+/// Lead lengths of section IV, corrected (0.1, 0.15, 0.2, 0.2, ...) and as printed (0.25 from the fourth on) [m].
+const std::vector<double>& paper_step_lengths();
+const std::vector<double>& printed_step_lengths();
+
+// Names of the choices, for Python and messages. @throws InputError unknown name, naming those that exist
+std::string to_string(Footsteps value);
+std::string to_string(ComState value);
+std::string to_string(TrackerLaw value);
+std::string to_string(Iteration value);
+void from_string(const std::string& name, Footsteps& out);
+void from_string(const std::string& name, ComState& out);
+void from_string(const std::string& name, TrackerLaw& out);
+void from_string(const std::string& name, Iteration& out);
+
+}  // namespace zmpwalk

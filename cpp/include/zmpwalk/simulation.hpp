@@ -1,0 +1,77 @@
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "zmpwalk/robot/contact_forces.hpp"
+#include "zmpwalk/walking_controller.hpp"
+
+namespace zmpwalk {
+
+/// One column of a trace: `width` numbers a row, rows one after the other.
+struct Column {
+  std::string name;
+  int width;
+  std::vector<double> values;
+};
+
+/// Cycle records as columns. Row k is the state before step k and what was decided there.
+class Recorder {
+ public:
+  /// @param controller must outlive the recorder   @param rows to reserve, so that `add` does not allocate
+  explicit Recorder(const WalkingController& controller, std::size_t rows = 0);
+
+  /// Adds one row, if `out` is a new cycle. Call right after mj_step: `data` then holds the contact forces of this cycle.
+  void add(const CycleOutput& out, const mjData* data);
+
+  const std::vector<Column>& columns() const { return columns_; }
+  std::size_t rows() const { return rows_; }
+  /// Contact of the last row.
+  const MeasuredContact& contact() const { return contact_; }
+
+ private:
+  template <class Derived>
+  void push(const Eigen::DenseBase<Derived>& values);
+  void push(double value);
+
+  const WalkingController* controller_;
+  std::vector<Column> columns_;
+  std::size_t rows_ = 0, next_ = 0;
+  MeasuredContact contact_;
+};
+
+/// How a run ended.
+struct RunResult {
+  Fall fell = Fall::kNone;
+  double fall_time = kNaN;          ///< [s]
+  bool stopped = false;             ///< the progress callback asked for it
+  double wall_time = 0.0;           ///< [s]
+  std::vector<double> cycle_us;     ///< time of each control cycle [us]
+};
+
+/// The closed loop in C++: controller, physics, recording. Knows nothing of Python.
+class Simulation {
+ public:
+  /// Places the robot at its start pose on z = 0 in an mjData of its own. `controller` must outlive the simulation.
+  explicit Simulation(WalkingController& controller);
+  ~Simulation();
+
+  /// Walks until `duration` [s], a fall, or a stop.
+  ///
+  /// @param recorder  gets one row per control cycle
+  /// @param progress  called about every `progress_interval` [s of wall time] with the simulation time; returns false to stop
+  /// @throws InputError duration is not finite and > 0
+  RunResult run(double duration, Recorder& recorder, const std::function<bool(double)>& progress = {},
+                double progress_interval = 0.1);
+
+  mjData* data() { return data_.get(); }
+
+ private:
+  WalkingController& controller_;
+  MjDataPtr data_;
+};
+
+}  // namespace zmpwalk

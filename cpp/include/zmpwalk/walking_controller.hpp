@@ -1,0 +1,133 @@
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <memory>
+#include <string>
+
+#include "zmpwalk/control/whole_body.hpp"
+#include "zmpwalk/gait/gait_generator.hpp"
+#include "zmpwalk/gait/velocity_tracker.hpp"
+#include "zmpwalk/robot/robot.hpp"
+#include "zmpwalk/settings.hpp"
+#include "zmpwalk/zmp/bounds.hpp"
+#include "zmpwalk/zmp/estimate.hpp"
+
+namespace zmpwalk {
+
+/// Why a walk ended.
+enum class Fall : int { kNone = 0, kHeight, kTilt, kNonFinite, kNoContact };
+std::string to_string(Fall fall);
+
+/// Everything one cycle decided; every number that a figure shows. SI, W, unless said.
+struct CycleOutput {
+  double t = 0.0;                                   ///< simulation time of the state [s]
+  Vec3 com = Vec3::Zero(), dcom = Vec3::Zero();     ///< measured
+  Vec3 com_des = Vec3::Zero(), dcom_des = Vec3::Zero();  ///< for the next cycle: x_d, v_d of (16), (17)
+  Vec3 v_plan = Vec3::Zero();                       ///< planned velocity (v_x, v_y, w_z), heading frame
+  Vec3 v_des = Vec3::Zero();                        ///< desired velocity, heading frame
+  Vec3 v_error_integral = Vec3::Zero();             ///< integral of v_des - v_plan [m, m, rad]
+  Vec2 zmp_des = Vec2::Zero();                      ///< desired
+  Vec2 zmp_ref = Vec2::Zero();                      ///< reference of the pendulum
+  Vec2 zmp_est = Vec2::Zero();                      ///< estimated from the torque
+  Vec2 zmp_lower = Vec2::Zero(), zmp_upper = Vec2::Zero();  ///< designed bounds
+  Vec2 zmp_first = Vec2::Constant(kNaN);            ///< estimate of the first pass (r_ref = r_des); NaN where the ZMP was left alone
+  Vec2 zmp_slope = Vec2::Zero();                    ///< d zmp_est / d zmp_ref, each axis
+  Vec2 zmp_modified = Vec2::Zero();                 ///< -1 brought to the lower bound, +1 to the upper, 0 left alone
+  int phase = 0;                                    ///< 0 double, 1 single support
+  int support = 1;                                  ///< +1 left, -1 right
+  int step = 0;
+  double phase_time = 0.0;                          ///< [s]
+  double w_T = kNaN;                                ///< Eq. 18 [m/s]
+  int iterations = 0;                               ///< passes of III-B; 0 where the ZMP was left alone
+  Vec3 foothold = Vec3::Constant(kNaN);             ///< target of the swing foot: x, y, yaw
+  std::array<Eigen::Matrix<double, 7, 1>, 2> foot;  ///< sole poses: position, quaternion (w, x, y, z); left, right
+  VecX tau;                                         ///< (nu of the robot,) in the order of its joints [N m]
+  Vec12 f_c = Vec12::Constant(kNaN);                ///< expected contact wrenches, robot on ground, left then right
+  double torque_ratio = 0.0;                        ///< largest |tau| / limit
+  bool saturated = false;                           ///< a torque was cut to its limit
+  bool damped = false;                              ///< a straight leg damped the motion
+  bool fresh = false;                               ///< computed in this call; false where the torque of an earlier one is held
+  Fall fell = Fall::kNone;
+};
+
+/// One `update(data) -> CycleOutput` per control cycle: state in, torque out.
+///
+/// Reads the state, asks the gait where to go, turns the desired ZMP into a desired COM state (16), computes the torque that realises
+/// it (1)-(8), estimates the ZMP of that torque (9)-(15), corrects the reference until both agree (III-B), writes the torque.
+class WalkingController {
+ public:
+  /// @param model must outlive the controller
+  /// @throws ModelError, InputError (settings, a profile faster than the legs reach)
+  WalkingController(const mjModel* model, const RobotDescription& description, const WalkSettings& settings = WalkSettings(),
+                    const VelocityProfile& profile = VelocityProfile::paper());
+  WalkingController(const WalkingController&) = delete;
+  WalkingController& operator=(const WalkingController&) = delete;
+
+  /// Reads the state in `data` and starts a walk there; moves nothing. @throws InputError the state is not finite
+  void reset(const mjData* data);
+
+  /// One physics step's worth of control: computes a torque when a control period has gone by, else holds; writes data->ctrl.
+  ///
+  /// @throws InputError the state is not finite (nothing is changed), or reset was never called. Allocates nothing.
+  const CycleOutput& update(mjData* data);
+
+  const CycleOutput& output() const { return out_; }
+  const WalkSettings& settings() const { return settings_; }
+  const VelocityProfile& profile() const { return profile_; }
+  const Robot& robot() const { return robot_; }
+  double com_height() const { return com_height_; }   ///< z_c over the soles [m]
+  double Tc() const { return pendulum_.Tc(); }        ///< [s]
+  const ZmpBounds& bounds(Side side) const { return bounds_[side]; }  ///< in the sole's axes, about its centre
+
+  /// Largest speed the legs can reach at this step period [m/s]: v T_ds/2 + v T/2 from hip to ankle, knee nearly straight.
+  double speed_limit() const { return speed_limit_; }
+  /// Largest difference between the speed of a footstep list and of the profile within `duration` [s]; 0 where steps follow the profile [m/s].
+  double plan_mismatch(double duration) const;
+
+ private:
+  struct Command {         // what a reference ZMP leads to, in S
+    Vec2 x_d, v_d, f;      // next COM state (16), commanded acceleration (8)
+  };
+  Command command(const Vec2& r) const;
+  void task_accelerations(const GaitOutput& gait);
+  void choose_reference(const GaitOutput& gait);
+  void clip_torque(const GaitOutput& gait);
+  void check_fall();
+  double find_speed_limit() const;
+
+  Robot robot_;
+  VelocityProfile profile_;
+  double com_height_;
+  WalkSettings settings_;
+  LinearInvertedPendulum pendulum_;
+  GaitGenerator gait_;
+  VelocityTracker tracker_;
+  WholeBodyController whole_body_;
+  ZmpEstimator estimator_;
+  std::array<ZmpBounds, 2> bounds_;
+  double speed_limit_;
+
+  // State of a walk
+  bool started_ = false;
+  double t_start_ = 0.0;
+  int ticks_per_cycle_ = 1;
+  long tick_ = 0;
+  double ground_ = 0.0;            // height of the soles at the start
+  Mat3 R_HB_;                      // trunk in the heading frame at the start
+  Vec2 com_des_ = Vec2::Zero(), dcom_des_ = Vec2::Zero();  // previous desired state, W
+
+  // Of this cycle
+  Vec2 x_, v_;                     // "current" COM state of (16), S
+  Vec2 x_meas_, v_meas_;           // measured, S
+  Vec2 kp_, kd_, df_dr_;
+  Mat2 R_S_;
+  Vec2 f_xy_ = Vec2::Zero();       // commanded COM acceleration, W
+  TaskAccelerations f_star_;
+  WholeBodyResult result_;
+  CycleOutput out_;
+  RowMatX J_c_;
+  VecX drift_c_;
+};
+
+}  // namespace zmpwalk

@@ -1,0 +1,36 @@
+#include "zmpwalk/gait/lateral_motion.hpp"
+
+#include <algorithm>
+
+namespace zmpwalk {
+
+LateralMotion::LateralMotion(bool feedback, double reach) : feedback_(feedback), reach_(reach) {}
+
+void LateralMotion::reset(Side support) {
+  support_ = support;
+  awaits_ = true;
+  decided_ = false;
+}
+
+void LateralMotion::begin_cycle(bool double_support_began) {
+  if (double_support_began) awaits_ = true;
+  if (!decided_) return;
+  support_ = other(support_);
+  awaits_ = decided_ = false;
+}
+
+double LateralMotion::check_switch(const LinearInvertedPendulum& pendulum, const PendulumState& next, double T, bool last) {
+  const double w_T = pendulum.velocity_after(T, next);
+  // Too early, the COM would turn back before the middle of the step: w(T) then points away from the foot to come.
+  decided_ = last || side_sign(other(support_)) * w_T >= 0.0;
+  return w_T;
+}
+
+double LateralMotion::reference(const LinearInvertedPendulum& pendulum, const PendulumState& state, double width, double time,
+                                double period) const {
+  if (!feedback_ || awaits_ || !(time > 0.0)) return 0.0;
+  const double xi_end = -side_sign(support_) * pendulum.orbit_dcm(width, period);
+  return std::clamp(pendulum.reference_to_reach(pendulum.dcm(state), xi_end, time), -reach_, reach_);
+}
+
+}  // namespace zmpwalk

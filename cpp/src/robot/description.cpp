@@ -1,0 +1,178 @@
+#include "zmpwalk/robot/description.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "zmpwalk/math/error.hpp"
+#include "zmpwalk/robot/robot.hpp"
+
+namespace zmpwalk {
+namespace {
+
+int find(const mjModel* m, mjtObj type, const std::string& name) { return mj_name2id(m, type, name.c_str()); }
+
+/// The names of a kind that the model does have, for error messages.
+std::string names(const mjModel* m, mjtObj type, int count) {
+  std::string list;
+  for (int i = 0; i < count && i < 12; ++i) list += (i ? ", " : "") + object_name(m, type, i);
+  return count > 12 ? list + ", ..." : list.empty() ? "none" : list;
+}
+
+int require(const mjModel* m, mjtObj type, int count, const char* kind, const std::string& name) {
+  const int id = find(m, type, name);
+  if (id < 0)
+    throw ModelError(std::string("the model has no ") + kind + " named '" + name + "'; it has: " + names(m, type, count));
+  return id;
+}
+
+/// Bodies from `body` up to the root of its tree, itself first.
+std::vector<int> ancestors(const mjModel* m, int body) {
+  std::vector<int> chain;
+  for (; body > 0; body = m->body_parentid[body]) chain.push_back(body);
+  return chain;
+}
+
+/// Free joint of the tree that `body` hangs in, or -1.
+int free_joint_of(const mjModel* m, int body) {
+  const int root = m->body_rootid[body];
+  if (m->body_jntnum[root] == 0) return -1;
+  const int joint = m->body_jntadr[root];
+  return m->jnt_type[joint] == mjJNT_FREE ? joint : -1;
+}
+
+/// Joint names between the feet's common ancestor and `foot`, hip to ankle.
+std::vector<std::string> leg_joints(const mjModel* m, int foot, int other_foot) {
+  const std::vector<int> theirs = ancestors(m, other_foot);
+  std::vector<std::string> joints;
+  for (const int body : ancestors(m, foot)) {
+    if (std::find(theirs.begin(), theirs.end(), body) != theirs.end()) break;
+    for (int k = m->body_jntnum[body] - 1; k >= 0; --k)
+      joints.push_back(object_name(m, mjOBJ_JOINT, m->body_jntadr[body] + k));
+  }
+  std::reverse(joints.begin(), joints.end());
+  return joints;
+}
+
+}  // namespace
+
+RobotDescription describe(const mjModel* m) {
+  const std::array<std::string, 2> sites{"left_sole", "right_sole"};
+  RobotDescription out;
+  std::array<int, 2> bodies{};
+  for (const Side side : kSides) {
+    const int site = find(m, mjOBJ_SITE, sites[side]);
+    if (site < 0)
+      throw ModelError("the model has no site '" + sites[side] + "' and so no known sole; add box sites left_sole and "
+                       "right_sole on the sole planes, or pass a robot.json (it has sites: " +
+                       names(m, mjOBJ_SITE, m->nsite) + ")");
+    if (m->site_type[site] != mjGEOM_BOX)
+      throw ModelError("site '" + sites[side] + "' is not a box; the sole's length and width are read from its box size");
+    Foot& foot = out.feet[side];
+    bodies[side] = m->site_bodyid[site];
+    foot.body = object_name(m, mjOBJ_BODY, bodies[side]);
+    foot.sole_site = sites[side];
+    for (int i = 0; i < 3; ++i) foot.sole_pos[i] = m->site_pos[3 * site + i];
+    for (int i = 0; i < 4; ++i) foot.sole_quat[i] = m->site_quat[4 * site + i];
+    foot.length = 2.0 * m->site_size[3 * site];
+    foot.width = 2.0 * m->site_size[3 * site + 1];
+  }
+  const int root = free_joint_of(m, bodies[kLeft]);
+  if (root < 0)
+    throw ModelError("the feet hang from body '" + object_name(m, mjOBJ_BODY, m->body_rootid[bodies[kLeft]]) +
+                     "', which has no free joint; a walking robot needs a floating base (<freejoint/>)");
+  out.root_joint = object_name(m, mjOBJ_JOINT, root);
+  if (out.root_joint.empty()) throw ModelError("the robot's free joint has no name; give it one (<freejoint name=\"root\"/>)");
+  out.name = object_name(m, mjOBJ_BODY, m->jnt_bodyid[root]);
+  for (const Side side : kSides) out.feet[side].leg_joints = leg_joints(m, bodies[side], bodies[other(side)]);
+
+  const int key = find(m, mjOBJ_KEY, "stand");
+  if (key < 0)
+    throw ModelError("the model has no keyframe 'stand'; add one with bent knees and flat feet, or pass a robot.json");
+  out.stand_keyframe = "stand";
+  const mjtNum* qpos = m->key_qpos + static_cast<long>(key) * m->nq;
+  const mjtNum* base = qpos + m->jnt_qposadr[root];
+  for (int i = 0; i < 3; ++i) out.stand_base_pos[i] = base[i];
+  for (int i = 0; i < 4; ++i) out.stand_base_quat[i] = base[3 + i];
+  const int root_body = m->jnt_bodyid[root];
+  for (int j = 0; j < m->njnt; ++j)
+    if (m->body_rootid[m->jnt_bodyid[j]] == root_body && j != root)
+      out.stand_joints[object_name(m, mjOBJ_JOINT, j)] = qpos[m->jnt_qposadr[j]];
+  out.check(m);
+  return out;
+}
+
+void RobotDescription::check(const mjModel* m) const {
+  const int root = require(m, mjOBJ_JOINT, m->njnt, "joint", root_joint);
+  if (m->jnt_type[root] != mjJNT_FREE)
+    throw ModelError("joint '" + root_joint + "' is not a free joint; a walking robot needs a floating base (<freejoint/>)");
+  const int root_body = m->jnt_bodyid[root];
+  std::set<std::string> in_legs;
+  for (const Side side : kSides) {
+    const Foot& foot = feet[side];
+    const std::string which = side == kLeft ? "left" : "right";
+    const int body = require(m, mjOBJ_BODY, m->nbody, "body", foot.body);
+    if (m->body_rootid[body] != root_body)
+      throw ModelError("the " + which + " foot '" + foot.body + "' does not hang from the free joint '" + root_joint + "'");
+    if (!foot.sole_site.empty()) require(m, mjOBJ_SITE, m->nsite, "site", foot.sole_site);
+    if (!(foot.length > 0.0) || !(foot.width > 0.0))
+      throw ModelError("the " + which + " sole is " + std::to_string(foot.length) + " x " + std::to_string(foot.width) +
+                       " m; both must be greater than 0");
+    if (foot.leg_joints.size() != 6)
+      throw ModelError("the " + which + " leg has " + std::to_string(foot.leg_joints.size()) +
+                       " joints between hip and foot; placing a flat foot anywhere takes 6");
+    for (const std::string& name : foot.leg_joints) {
+      const int joint = require(m, mjOBJ_JOINT, m->njnt, "joint", name);
+      const std::vector<int> chain = ancestors(m, body);
+      if (std::find(chain.begin(), chain.end(), m->jnt_bodyid[joint]) == chain.end())
+        throw ModelError("joint '" + name + "' is listed for the " + which + " leg but does not move the foot '" + foot.body + "'");
+      if (!in_legs.insert(name).second) throw ModelError("joint '" + name + "' is listed twice among the leg joints");
+    }
+  }
+  for (int j = 0; j < m->njnt; ++j) {
+    if (m->body_rootid[m->jnt_bodyid[j]] != root_body || j == root) continue;
+    const std::string name = object_name(m, mjOBJ_JOINT, j);
+    if (m->jnt_type[j] != mjJNT_HINGE && m->jnt_type[j] != mjJNT_SLIDE)
+      throw ModelError("joint '" + name + "' is neither hinge nor slide; zmpwalk drives those only");
+    int motors = 0;
+    for (int a = 0; a < m->nu; ++a) {
+      if (m->actuator_trntype[a] != mjTRN_JOINT || m->actuator_trnid[2 * a] != j) continue;
+      const std::string actuator = object_name(m, mjOBJ_ACTUATOR, a);
+      if (m->actuator_gaintype[a] != mjGAIN_FIXED || m->actuator_biastype[a] != mjBIAS_NONE ||
+          m->actuator_dyntype[a] != mjDYN_NONE || m->actuator_gainprm[mjNGAIN * a] != 1.0 || m->actuator_gear[6 * a] == 0.0)
+        throw ModelError("actuator '" + actuator + "' of joint '" + name + "' is not a plain torque motor; use <motor joint=\"" +
+                         name + "\" ctrlrange=\"-tau tau\"/>");
+      ++motors;
+    }
+    if (motors != 1)
+      throw ModelError("joint '" + name + "' has " + std::to_string(motors) +
+                       " motors; each joint of the robot needs exactly one (<motor joint=\"" + name + "\"/>)");
+    const auto stand = stand_joints.find(name);
+    if (stand == stand_joints.end()) throw ModelError("the start pose has no value for joint '" + name + "'");
+    if (!std::isfinite(stand->second)) throw ModelError("the start pose's value for joint '" + name + "' is not finite");
+  }
+  for (const auto& [name, value] : stand_joints) {
+    (void)value;
+    require(m, mjOBJ_JOINT, m->njnt, "joint", name);
+  }
+  if (!stand_base_pos.allFinite() || !(std::abs(stand_base_quat.norm() - 1.0) < 1e-3))
+    throw ModelError("the start pose's base is not a position and a unit quaternion (w, x, y, z)");
+}
+
+void RobotDescription::place(const mjModel* m, mjData* d, double ground) const {
+  check(m);
+  require_finite("ground", ground);
+  const int root = find(m, mjOBJ_JOINT, root_joint);
+  mjtNum* base = d->qpos + m->jnt_qposadr[root];
+  for (int i = 0; i < 3; ++i) base[i] = stand_base_pos[i];
+  base[2] += ground;
+  for (int i = 0; i < 4; ++i) base[3 + i] = stand_base_quat[i];
+  for (int i = 0; i < 6; ++i) d->qvel[m->jnt_dofadr[root] + i] = 0.0;
+  for (const auto& [name, value] : stand_joints) {
+    const int joint = find(m, mjOBJ_JOINT, name);
+    d->qpos[m->jnt_qposadr[joint]] = value;
+    d->qvel[m->jnt_dofadr[joint]] = 0.0;
+  }
+  mj_forward(m, d);
+}
+
+}  // namespace zmpwalk

@@ -1,0 +1,205 @@
+#include "zmpwalk/robot/robot.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "zmpwalk/math/error.hpp"
+#include "zmpwalk/robot/mujoco_compat.hpp"
+
+namespace zmpwalk {
+namespace {
+
+using ConstVec3Map = Eigen::Map<const Vec3>;
+using ConstRowMat3Map = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
+
+ConstVec3Map vec3(const mjtNum* p) { return ConstVec3Map(p); }
+
+int checked_root(const mjModel* m, const RobotDescription& description) {
+  description.check(m);
+  return mj_name2id(m, mjOBJ_JOINT, description.root_joint.c_str());
+}
+
+/// Velocity coordinates of the kinematic tree whose root body is `root`; MuJoCo keeps a tree's dofs together.
+int tree_nv(const mjModel* m, int root) {
+  int count = 0;
+  for (int i = 0; i < m->nv; ++i) count += m->body_rootid[m->dof_bodyid[i]] == root;
+  return count;
+}
+
+}  // namespace
+
+std::string object_name(const mjModel* m, mjtObj type, int id) {
+  const char* name = id < 0 ? nullptr : mj_id2name(m, type, id);
+  return name ? name : "";
+}
+
+Robot::Robot(const mjModel* m, const RobotDescription& description)
+    : m_(m),
+      description_(description),
+      data_(nullptr),
+      dynamics_(tree_nv(m, m->jnt_bodyid[checked_root(m, description)])),
+      nv_(dynamics_.nv()) {
+  const int root = mj_name2id(m, mjOBJ_JOINT, description.root_joint.c_str());
+  data_.reset(mj_makeData(m));
+  if (!data_) throw ModelError("MuJoCo could not make an mjData for this model");
+  root_body_ = m->jnt_bodyid[root];
+  qpos0_ = m->jnt_qposadr[root];
+  dof0_ = m->jnt_dofadr[root];
+  full_A_.resize(static_cast<std::size_t>(m->nv) * m->nv);
+  rne_ = VecX::Zero(m->nv);
+
+  const int joints = nv_ - 6;
+  gear_ = VecX::Ones(joints);
+  stand_ = VecX::Zero(joints);
+  torque_limit_ = VecX::Constant(joints, std::numeric_limits<double>::infinity());
+  for (int j = 0; j < joints; ++j) {
+    const int joint = m->dof_jntid[dof0_ + 6 + j];
+    joint_names_.push_back(object_name(m, mjOBJ_JOINT, joint));
+    stand_[j] = description.stand_joints.at(joint_names_.back());
+    int motor = 0;
+    while (m->actuator_trntype[motor] != mjTRN_JOINT || m->actuator_trnid[2 * motor] != joint) ++motor;
+    actuator_.push_back(motor);
+    gear_[j] = m->actuator_gear[6 * motor];
+    if (m->actuator_ctrllimited[motor])
+      torque_limit_[j] = std::abs(gear_[j]) * std::min(-m->actuator_ctrlrange[2 * motor], m->actuator_ctrlrange[2 * motor + 1]);
+    if (m->actuator_forcelimited[motor])
+      torque_limit_[j] = std::min(torque_limit_[j], std::abs(gear_[j]) * std::min(-m->actuator_forcerange[2 * motor],
+                                                                                  m->actuator_forcerange[2 * motor + 1]));
+    if (!(torque_limit_[j] > 0.0))
+      throw ModelError("motor of joint '" + joint_names_.back() + "' has a control range without 0 inside; use ctrlrange=\"-tau tau\"");
+  }
+  for (const Side side : kSides) {
+    const Foot& foot = description.feet[side];
+    SoleFrame& frame = frame_[side];
+    frame.body = foot_body_[side] = mj_name2id(m, mjOBJ_BODY, foot.body.c_str());
+    frame.p_BF = foot.sole_pos;
+    const Eigen::Vector4d& q = foot.sole_quat;
+    frame.R_BF = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
+    for (int body = frame.body; body > 0; body = m->body_parentid[body]) frame.chain.push_back(body);
+    std::reverse(frame.chain.begin(), frame.chain.end());
+    for (const int body : frame.chain)
+      for (int k = 0; k < m->body_dofnum[body]; ++k) frame.dofs.push_back(m->body_dofadr[body] + k - dof0_);
+    for (const std::string& name : foot.leg_joints)
+      leg_joints_[side].push_back(m->jnt_dofadr[mj_name2id(m, mjOBJ_JOINT, name.c_str())] - dof0_ - 6);
+  }
+  // Ankle position in the sole frame, at the start pose (it does not depend on the ankle's angle to first order).
+  description.place(m, data_.get());
+  read(data_.get());
+  for (const Side side : kSides) {
+    const int ankle = m->dof_jntid[dof0_ + 6 + leg_joints_[side].back()];
+    const SoleState& sole = dynamics_.sole[side];
+    ankle_F_[side] = sole.R_WF.transpose() * (vec3(data_->xanchor + 3 * ankle) - sole.p_WF);
+    const auto anchor = [&](int i) { return Vec3(vec3(data_->xanchor + 3 * m->dof_jntid[dof0_ + 6 + leg_joints_[side][i]])); };
+    const Vec3 hip = anchor(2), knee = anchor(3), foot = anchor(4);
+    leg_[side] = {(knee - hip).norm(), (foot - knee).norm(), foot - hip};
+  }
+}
+
+bool Robot::is_foot(Side side, int body) const {
+  for (; body > 0; body = m_->body_parentid[body])
+    if (body == foot_body_[side]) return true;
+  return false;
+}
+
+bool Robot::is_finite(const mjData* d) const {
+  for (int i = 0; i < nv_ + 1; ++i)
+    if (!std::isfinite(d->qpos[qpos0_ + i])) return false;
+  for (int i = 0; i < nv_; ++i)
+    if (!std::isfinite(d->qvel[dof0_ + i])) return false;
+  return true;
+}
+
+void Robot::read(const mjData* d) {
+  mjData* own = data_.get();
+  if (d != own) {
+    std::copy_n(d->qpos + qpos0_, nv_ + 1, own->qpos + qpos0_);
+    std::copy_n(d->qvel + dof0_, nv_, own->qvel + dof0_);
+  }
+  mj_kinematics(m_, own);
+  mj_comPos(m_, own);
+  mujoco_compat::full_inertia(m_, own, full_A_.data());
+  mj_comVel(m_, own);
+  mj_passive(m_, own);
+  mj_rne(m_, own, 0, rne_.data());
+
+  Dynamics& out = dynamics_;
+  out.mass = m_->body_subtreemass[root_body_];
+  out.gravity = vec3(m_->opt.gravity);
+  out.q = Eigen::Map<const VecX>(own->qpos + qpos0_ + 7, nv_ - 6);
+  out.dq = Eigen::Map<const VecX>(own->qvel + dof0_, nv_);
+  const long stride = m_->nv;
+  for (int i = 0; i < nv_; ++i)
+    out.A.row(i) = Eigen::Map<const VecX>(full_A_.data() + (dof0_ + i) * stride + dof0_, nv_);
+
+  // Uniform gravity is a uniform acceleration of the base: g = -A [gravity; 0].
+  out.g.noalias() = -(out.A.leftCols<3>() * out.gravity);
+  out.drift_momentum = rne_.segment(dof0_, nv_) - out.g;
+  out.b = out.drift_momentum - Eigen::Map<const VecX>(own->qfrc_passive + dof0_, nv_);
+  for (int i = 6; i < nv_; ++i) {
+    const double friction = m_->dof_frictionloss[dof0_ + i];
+    if (friction > 0.0) out.b[i] += friction * std::tanh(out.dq[i] / friction_velocity);
+  }
+
+  out.com = vec3(own->subtree_com + 3 * root_body_);
+  out.J_com = out.A.topRows<3>() / out.mass;  // linear momentum M dcom is conjugate to the base's translation
+  out.dcom.noalias() = out.J_com * out.dq;
+  out.drift_com = out.drift_momentum.head<3>() / out.mass;
+
+  out.p_WB = vec3(own->xpos + 3 * root_body_);
+  out.R_WB = ConstRowMat3Map(own->xmat + 9 * root_body_);
+  out.omega_WB.noalias() = out.R_WB * out.dq.segment<3>(3);
+  for (const Side side : kSides) read_sole(frame_[side], out.sole[side]);
+}
+
+void Robot::read_sole(const SoleFrame& frame, SoleState& out) const {
+  const mjData* d = data_.get();
+  const Mat3 R_WB = ConstRowMat3Map(d->xmat + 9 * frame.body);
+  out.R_WF.noalias() = R_WB * frame.R_BF;
+  out.p_WF = vec3(d->xpos + 3 * frame.body);
+  out.p_WF.noalias() += R_WB * frame.p_BF;
+
+  // MuJoCo keeps spatial velocities (angular, linear) about the COM of the tree.
+  const Vec3 arm = out.p_WF - vec3(d->subtree_com + 3 * root_body_);
+  for (const int i : frame.dofs) {
+    const mjtNum* cdof = d->cdof + 6 * (dof0_ + i);
+    out.J.col(i).head<3>() = vec3(cdof + 3) + vec3(cdof).cross(arm);
+    out.J.col(i).tail<3>() = vec3(cdof);
+  }
+  const mjtNum* cvel = d->cvel + 6 * frame.body;
+  const Vec3 omega = vec3(cvel);
+  const Vec3 v = vec3(cvel + 3) + omega.cross(arm);
+  out.velocity << v, omega;
+
+  // Acceleration of the sole with ddq = 0: the spatial drift summed along the leg, then moved to the sole's centre.
+  Vec3 angular = Vec3::Zero(), linear = Vec3::Zero();
+  for (const int i : frame.dofs) {
+    const mjtNum* cdof_dot = d->cdof_dot + 6 * (dof0_ + i);
+    const double dq = d->qvel[dof0_ + i];
+    angular += dq * vec3(cdof_dot);
+    linear += dq * vec3(cdof_dot + 3);
+  }
+  out.drift << linear + angular.cross(arm) + omega.cross(v), angular;
+}
+
+Vec3 Robot::sole_centre(Side side, const mjData* d) const {
+  const SoleFrame& frame = frame_[side];
+  return vec3(d->xpos + 3 * frame.body) + ConstRowMat3Map(d->xmat + 9 * frame.body) * frame.p_BF;
+}
+
+double Robot::joint_margin(const mjData* d) const {
+  double margin = std::numeric_limits<double>::infinity();
+  for (int i = 6; i < nv_; ++i) {
+    const int joint = m_->dof_jntid[dof0_ + i];
+    if (!m_->jnt_limited[joint]) continue;
+    const double q = d->qpos[qpos0_ + 1 + i];
+    margin = std::min({margin, q - m_->jnt_range[2 * joint], m_->jnt_range[2 * joint + 1] - q});
+  }
+  return margin;
+}
+
+void Robot::write_torque(const ConstVecRef& tau, mjData* d) const {
+  for (int j = 0; j < nv_ - 6; ++j) d->ctrl[actuator_[j]] = tau[j] / gear_[j];
+}
+
+}  // namespace zmpwalk

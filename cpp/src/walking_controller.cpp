@@ -1,0 +1,352 @@
+#include "zmpwalk/walking_controller.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "zmpwalk/math/error.hpp"
+#include "zmpwalk/math/rotation.hpp"
+#include "zmpwalk/zmp/reference_iteration.hpp"
+
+namespace zmpwalk {
+namespace {
+
+/// With the ZMP left to itself, the most that one cycle may ask of the COM to jump to the planned velocity [m/s^2].
+constexpr double kMaxBlindAcceleration = 2.0;
+
+double stand_height(const Dynamics& dyn) {
+  return dyn.com.z() - 0.5 * (dyn.sole[kLeft].p_WF.z() + dyn.sole[kRight].p_WF.z());
+}
+
+RobotScale scale_of(const Robot& robot) {
+  const Dynamics& dyn = robot.dynamics();
+  return {stand_height(dyn), dyn.gravity.norm(), robot.model()->opt.timestep,
+          (dyn.sole[kLeft].p_WF - dyn.sole[kRight].p_WF).head<2>().norm()};
+}
+
+ZmpBounds bounds_of(const Robot& robot, Side side, const WalkSettings& settings) {
+  const Foot& foot = robot.description().feet[side];
+  const auto& leg = robot.leg_joints()[side];
+  const Vec3 ankle = robot.ankle_in_sole(side);
+  // Of the two last joints, the one whose axis lies along the sole's y pitches.
+  const Dynamics& dyn = robot.dynamics();
+  const auto pitch_share = [&](int joint) {
+    const Vec3 axis = dyn.sole[side].J.col(6 + joint).tail<3>();
+    return std::abs(axis.dot(dyn.sole[side].R_WF.col(1)));
+  };
+  int pitch = leg[4], roll = leg[5];
+  if (pitch_share(roll) > pitch_share(pitch)) std::swap(pitch, roll);
+  const SoleLimits limits{foot.length, foot.width, ankle.head<2>(), robot.torque_limit()[pitch], robot.torque_limit()[roll]};
+  return zmp_bounds(limits, dyn.mass * dyn.gravity.norm(), settings.sole_fraction, settings.ankle_torque_fraction);
+}
+
+}  // namespace
+
+std::string to_string(Fall fall) {
+  switch (fall) {
+    case Fall::kNone: return "";
+    case Fall::kHeight: return "the COM came too low over the support foot";
+    case Fall::kTilt: return "the trunk tilted too far";
+    case Fall::kNonFinite: return "the simulated state is no longer finite";
+    case Fall::kNoContact: return "no foot touched the ground any more";
+  }
+  return "?";
+}
+
+WalkingController::WalkingController(const mjModel* model, const RobotDescription& description, const WalkSettings& settings,
+                                     const VelocityProfile& profile)
+    : robot_(model, description),
+      profile_(profile),
+      com_height_(stand_height(robot_.dynamics())),
+      settings_(resolve(settings, scale_of(robot_))),
+      pendulum_(com_height_, robot_.dynamics().gravity.norm()),
+      gait_(settings_, profile_, 0.5 * std::min(description.feet[kLeft].width, description.feet[kRight].width)),
+      tracker_(settings_.tracker, settings_.tracker_gain, settings_.tracker_time, settings_.tracker_deadband),
+      whole_body_(robot_.nv(), robot_.leg_joints(),
+                  {settings_.textbook, settings_.posture_task, settings_.wrench_distribution, settings_.singular_damping,
+                   settings_.singular_pivot}),
+      estimator_(robot_.nv()),
+      bounds_{bounds_of(robot_, kLeft, settings_), bounds_of(robot_, kRight, settings_)},
+      speed_limit_(find_speed_limit()),
+      R_HB_(Mat3::Identity()),
+      kp_(settings_.com_x_kp, settings_.com_y_kp),
+      kd_(settings_.com_x_kd, settings_.com_y_kd),
+      R_S_(Mat2::Identity()),
+      result_(whole_body_.result()),
+      J_c_(RowMatX::Zero(12, robot_.nv())),
+      drift_c_(VecX::Zero(12)) {
+  robot_.friction_velocity = settings_.friction_velocity;
+  ticks_per_cycle_ = static_cast<int>(std::lround(settings_.control_dt / model->opt.timestep));
+  f_star_.posture = VecX::Zero(robot_.joints());
+  out_.tau = VecX::Zero(robot_.joints());
+  for (auto& pose : out_.foot) pose.setZero();
+  const double dt = settings_.control_dt, Tc = pendulum_.Tc();
+  for (int i = 0; i < 2; ++i)
+    df_dr_[i] = (settings_.feed_forward ? -1.0 / (Tc * Tc) : 0.0) -
+                pd_acceleration(kp_[i], kd_[i], std::cosh(dt / Tc) - 1.0, std::sinh(dt / Tc) / Tc);
+  for (const Vec3& v : profile_.v()) {
+    if (v.y() != 0.0 || v.z() != 0.0)
+      throw InputError("the profile asks for v_y = " + std::to_string(v.y()) + " m/s, w_z = " + std::to_string(v.z()) +
+                       " rad/s; this version walks straight ahead: both must be 0");
+    if (v.x() < 0.0 || v.x() > speed_limit_)
+      throw InputError("the profile asks for v_x = " + std::to_string(v.x()) + " m/s; this robot's legs reach 0 to " +
+                       std::to_string(speed_limit_) + " m/s at a step period of " + std::to_string(gait_.schedule().period()) + " s");
+  }
+}
+
+double WalkingController::find_speed_limit() const {
+  // In double support the hip is up to v T_ds/2 past the middle of the feet, so an ankle is v (T + T_ds)/2 away along x; it must
+  // stay within the leg's length with the knee kept 0.1 rad from straight.
+  constexpr double kStraightKnee = 0.1;
+  double limit = std::numeric_limits<double>::infinity();
+  for (const Side side : kSides) {
+    const RobotLeg leg = robot_.leg_at_stand(side);
+    const double reach = std::sqrt(leg.thigh * leg.thigh + leg.shank * leg.shank + 2.0 * leg.thigh * leg.shank * std::cos(kStraightKnee));
+    const Vec3 d = leg.hip_to_ankle;
+    const double ahead = std::sqrt(std::max(reach * reach - d.z() * d.z() - d.y() * d.y(), 0.0)) - std::abs(d.x());
+    limit = std::min(limit, 2.0 * ahead / (settings_.T_ss + 2.0 * settings_.T_ds));
+  }
+  return std::max(limit, 0.0);
+}
+
+double WalkingController::plan_mismatch(double duration) const {
+  const double period = gait_.schedule().period();
+  return gait_.footsteps().mismatch(static_cast<int>(std::floor(duration / period + 1e-9)), period);
+}
+
+void WalkingController::reset(const mjData* data) {
+  if (!robot_.is_finite(data)) throw InputError("data holds a position or velocity that is not finite; place the robot first");
+  robot_.read(data);
+  const Dynamics& dyn = robot_.dynamics();
+  t_start_ = data->time;
+  tick_ = 0;
+  ground_ = dyn.com.z() - stand_height(dyn);
+  com_height_ = stand_height(dyn);
+  pendulum_ = LinearInvertedPendulum(com_height_, dyn.gravity.norm());
+  com_des_ = dyn.com.head<2>();
+  dcom_des_ = dyn.dcom.head<2>();
+  GaitInput start{0.0, com_des_, dcom_des_, {dyn.sole[kLeft].p_WF, dyn.sole[kRight].p_WF}, {dyn.sole[kLeft].R_WF, dyn.sole[kRight].R_WF}};
+  gait_.reset(start, pendulum_);
+  tracker_.reset();
+  VecX tau = std::move(out_.tau);
+  out_ = CycleOutput{};
+  out_.tau = std::move(tau);
+  for (auto& pose : out_.foot) pose.setZero();
+  const Vec3 forward = dyn.sole[kLeft].R_WF.col(0) + dyn.sole[kRight].R_WF.col(0);
+  R_HB_ = rotation_z(std::atan2(forward.y(), forward.x())).transpose() * dyn.R_WB;
+  started_ = true;
+}
+
+const CycleOutput& WalkingController::update(mjData* data) {
+  if (!started_) throw InputError("update was called before reset(data)");
+  if (!robot_.is_finite(data)) throw InputError("data holds a position or velocity that is not finite");
+  out_.fresh = tick_ % ticks_per_cycle_ == 0;
+  ++tick_;
+  if (!out_.fresh) {
+    robot_.write_torque(out_.tau, data);
+    return out_;
+  }
+  robot_.read(data);
+  const Dynamics& dyn = robot_.dynamics();
+  const double t = data->time - t_start_;
+  const bool measured = settings_.com_state == ComState::kMeasured;
+
+  GaitInput in{t, measured ? Vec2(dyn.com.head<2>()) : com_des_, measured ? Vec2(dyn.dcom.head<2>()) : dcom_des_,
+               {dyn.sole[kLeft].p_WF, dyn.sole[kRight].p_WF}, {dyn.sole[kLeft].R_WF, dyn.sole[kRight].R_WF}};
+  const GaitOutput& gait = gait_.update(in);
+  R_S_ = rotation_z(gait.heading).topLeftCorner<2, 2>();
+  const auto to_S = [&](const Vec2& p) { return Vec2(R_S_.transpose() * p); };
+  x_ = to_S(in.com - gait.origin);
+  v_ = to_S(in.dcom);
+  x_meas_ = to_S(dyn.com.head<2>() - gait.origin);
+  v_meas_ = to_S(dyn.dcom.head<2>());
+
+  out_.t = data->time;
+  out_.com = dyn.com;
+  out_.dcom = dyn.dcom;
+  out_.v_plan = profile_.velocity(t);
+  out_.phase = static_cast<int>(gait.phase.phase);
+  out_.support = static_cast<int>(side_sign(gait.support));
+  out_.step = gait.phase.step;
+  out_.phase_time = gait.phase.time;
+  out_.w_T = gait.w_T;
+  out_.foothold << gait.foothold.p, gait.foothold.yaw;
+  for (const Side side : kSides) {
+    const Eigen::Quaterniond q(dyn.sole[side].R_WF);
+    out_.foot[side] << dyn.sole[side].p_WF, q.w(), q.x(), q.y(), q.z();
+  }
+
+  task_accelerations(gait);
+  Stance stance;
+  stance.standing = gait.standing;
+  stance.support = gait.support;
+  stance.lateral << -std::sin(gait.heading), std::cos(gait.heading), 0.0;
+  whole_body_.prepare(dyn, stance, f_star_);
+  choose_reference(gait);
+  whole_body_.solve(f_xy_, result_);
+  out_.f_c = result_.f_c;
+  out_.damped = result_.damped;
+  clip_torque(gait);
+  check_fall();
+  robot_.write_torque(out_.tau, data);
+  return out_;
+}
+
+void WalkingController::task_accelerations(const GaitOutput& gait) {
+  const Dynamics& dyn = robot_.dynamics();
+  const WalkSettings& s = settings_;
+  f_star_.com.z() = pd_acceleration(s.com_z_kp, s.com_z_kd, ground_ + com_height_ - dyn.com.z(), -dyn.dcom.z());
+  const Mat3 R_des = rotation_z(gait.heading) * R_HB_;
+  f_star_.trunk = pd_acceleration(s.trunk_kp, s.trunk_kd, orientation_error(R_des, dyn.R_WB), Vec3(-dyn.omega_WB));
+  f_star_.posture = pd_acceleration(s.posture_kp, s.posture_kd, robot_.stand() - dyn.q, -dyn.dq.tail(dyn.joints()));
+  if (gait.phase.phase == Phase::kDoubleSupport) return;
+  const SoleState& sole = dyn.sole[gait.swing];
+  const SwingTarget& target = gait.swing_target;
+  Vec6 error, rate;
+  error << target.p - sole.p_WF, orientation_error(target.R, sole.R_WF);
+  rate << target.v, target.omega;
+  f_star_.swing = pd_acceleration(s.swing_kp, s.swing_kd, error, Vec6(rate - sole.velocity));
+  if (s.swing_feed_forward) {
+    f_star_.swing.head<3>() += target.a;
+    f_star_.swing.tail<3>() += target.alpha;
+  }
+}
+
+WalkingController::Command WalkingController::command(const Vec2& r) const {
+  Command c;
+  const double dt = settings_.control_dt;
+  for (int i = 0; i < 2; ++i) {
+    const PendulumState next = pendulum_.step(dt, {x_[i], v_[i]}, r[i]);
+    c.x_d[i] = next.x;
+    c.v_d[i] = next.v;
+    c.f[i] = (settings_.feed_forward ? pendulum_.acceleration(x_[i], r[i]) : 0.0) +
+             pd_acceleration(kp_[i], kd_[i], next.x - x_meas_[i], next.v - v_meas_[i]);
+  }
+  return c;
+}
+
+void WalkingController::choose_reference(const GaitOutput& gait) {
+  const double dt = settings_.control_dt, v_plan = out_.v_plan.x();
+  const auto to_W = [&](const Vec2& p) { return Vec2(gait.origin + R_S_ * p); };
+  const auto estimate_of = [&](const Vec2& f) { return Vec2(R_S_.transpose() * (whole_body_.zmp(R_S_ * f) - gait.origin)); };
+
+  // What velocity tracking alone asks for.
+  Vec2 r(0.0, gait.zmp_lateral);
+  const bool smooth = tracker_.law() == TrackerLaw::kSmooth;
+  if (smooth && settings_.zmp_modification) r.x() = pendulum_.reference_for(x_.x(), tracker_.acceleration(v_plan, v_.x()));
+  Command c = command(r);
+  if (!smooth || !settings_.zmp_modification) {  // the desired velocity is the planned one
+    const double a = (v_plan - v_.x()) / dt;
+    c.x_d.x() = x_.x() + v_plan * dt;
+    c.v_d.x() = v_plan;
+    c.f.x() = (settings_.feed_forward ? std::clamp(a, -kMaxBlindAcceleration, kMaxBlindAcceleration) : 0.0) +
+              pd_acceleration(kp_.x(), kd_.x(), c.x_d.x() - x_meas_.x(), c.v_d.x() - v_meas_.x());
+  }
+  Vec2 zmp = estimate_of(c.f);
+  Vec2 wanted = zmp;
+
+  // Where the ZMP may go. Sideways, two standing feet hold it anywhere between them.
+  ZmpBounds bounds = bounds_[gait.support];
+  if (gait.standing[kLeft] && gait.standing[kRight]) {
+    const Dynamics& dyn = robot_.dynamics();
+    const double across = (R_S_.transpose() * (dyn.sole[other(gait.support)].p_WF.head<2>() - gait.origin)).y();
+    bounds.lower.y() = std::min(bounds.lower.y(), across + bounds_[other(gait.support)].lower.y());
+    bounds.upper.y() = std::max(bounds.upper.y(), across + bounds_[other(gait.support)].upper.y());
+  }
+  if (settings_.zmp_modification) {
+    const Vec2 inside = bounds.clamp(zmp);
+    wanted.x() = inside.x();
+    if (settings_.bound_lateral) wanted.y() = inside.y();
+    if (tracker_.drive() == Drive::kLower) wanted.x() = bounds.lower.x();
+    if (tracker_.drive() == Drive::kUpper) wanted.x() = bounds.upper.x();
+  }
+  out_.zmp_modified.setZero();
+  Vec2 axes = Vec2::Zero();
+  for (int i = 0; i < 2; ++i)
+    if (wanted[i] != zmp[i]) {
+      axes[i] = 1.0;
+      out_.zmp_modified[i] = wanted[i] == bounds.lower[i] ? -1.0 : 1.0;
+    }
+  const Mat2 slope = R_S_.transpose() * whole_body_.zmp_slope() * R_S_ * df_dr_.asDiagonal();
+  out_.zmp_slope = slope.diagonal();
+  out_.zmp_first.setConstant(kNaN);
+  out_.iterations = 0;
+  Vec2 reference = r;
+  if (!smooth && axes.x() == 0.0) reference.x() = zmp.x();  // tracking: no pendulum along x
+  if (axes.any()) {
+    // An axis that is left alone keeps its command.
+    const Vec2 kept = c.f;
+    const auto estimate = [&](const Vec2& r_ref) {
+      const Vec2 f = axes.cwiseProduct(command(r_ref).f) + (Vec2::Ones() - axes).cwiseProduct(kept);
+      return estimate_of(f);
+    };
+    const Vec2 first = estimate(axes.cwiseProduct(wanted) + (Vec2::Ones() - axes).cwiseProduct(r));
+    const ReferenceResult found =
+        settings_.iteration == Iteration::kLoop
+            ? iterate_reference(estimate, wanted, r, axes, settings_.zmp_threshold, settings_.max_iterations)
+            : solve_reference(estimate, wanted, r, axes, slope, settings_.zmp_threshold);
+    const Command modified = command(found.zmp_ref);
+    for (int i = 0; i < 2; ++i) {
+      if (axes[i] == 0.0) continue;
+      c.x_d[i] = modified.x_d[i];
+      c.v_d[i] = modified.v_d[i];
+      c.f[i] = modified.f[i];
+      reference[i] = found.zmp_ref[i];
+      out_.zmp_first[i] = to_W(first)[i];
+    }
+    zmp = found.zmp_est;
+    out_.iterations = found.passes;
+  }
+
+  f_xy_ = R_S_ * c.f;
+  out_.zmp_est = to_W(zmp);
+  out_.zmp_des = to_W(axes.cwiseProduct(wanted) + (Vec2::Ones() - axes).cwiseProduct(zmp));
+  out_.zmp_ref = to_W(reference);
+  out_.zmp_lower = to_W(bounds.lower);
+  out_.zmp_upper = to_W(bounds.upper);
+  com_des_ = to_W(c.x_d);
+  dcom_des_ = R_S_ * c.v_d;
+  out_.com_des << com_des_, ground_ + com_height_;
+  out_.dcom_des << dcom_des_, 0.0;
+  out_.v_des << c.v_d, 0.0;
+  tracker_.advance(c.v_d.x(), v_plan, dt);
+  out_.v_error_integral.x() = tracker_.integral();
+}
+
+void WalkingController::clip_torque(const GaitOutput& gait) {
+  const VecX& limit = robot_.torque_limit();
+  out_.torque_ratio = (result_.tau.cwiseAbs().array() / limit.array()).maxCoeff();
+  out_.saturated = !(out_.torque_ratio <= 1.0);
+  out_.tau = result_.tau.cwiseMax(-limit).cwiseMin(limit);
+  if (!out_.saturated) return;
+  // The estimate speaks of the torque that is sent: (9) with the cut torque.
+  const Dynamics& dyn = robot_.dynamics();
+  int rows = 0;
+  for (const Side side : kSides) {
+    if (!gait.standing[side]) continue;
+    J_c_.middleRows<6>(rows) = dyn.sole[side].J;
+    drift_c_.segment<6>(rows) = dyn.sole[side].drift;
+    rows += 6;
+  }
+  estimator_.update(dyn.A, dyn.b, dyn.g, J_c_.topRows(rows), drift_c_.head(rows), gait.standing,
+                    {dyn.sole[kLeft].p_WF, dyn.sole[kRight].p_WF}, gait.support);
+  const ZmpEstimate cut = estimator_.estimate(out_.tau);
+  out_.f_c = cut.f_c;
+  out_.zmp_est = cut.zmp;
+}
+
+void WalkingController::check_fall() {
+  const Dynamics& dyn = robot_.dynamics();
+  const double height = dyn.com.z() - std::max(dyn.sole[kLeft].p_WF.z(), dyn.sole[kRight].p_WF.z());
+  const double tilt = std::acos(std::clamp((dyn.R_WB * R_HB_.transpose())(2, 2), -1.0, 1.0));
+  if (!out_.tau.allFinite()) {
+    out_.fell = Fall::kNonFinite;
+    out_.tau.setZero();
+  } else if (height < settings_.fall_height * com_height_) {
+    out_.fell = Fall::kHeight;
+  } else if (tilt > settings_.fall_tilt) {
+    out_.fell = Fall::kTilt;
+  }
+}
+
+}  // namespace zmpwalk
