@@ -21,9 +21,8 @@ py::dict columns_of(const Recorder& recorder) {
 }
 
 py::tuple run(WalkingController& controller, double duration, const py::object& on_progress) {
-  const auto rows = static_cast<std::size_t>(std::max(duration, 0.0) / controller.settings().control_dt) + 2;
   require_positive("duration", duration);
-  Recorder recorder(controller, rows);
+  Recorder recorder(controller, duration);
   Simulation simulation(controller);
   bool raised = false;
   RunResult result;
@@ -53,7 +52,7 @@ py::tuple run(WalkingController& controller, double duration, const py::object& 
 
 void bind_simulation(py::module_& m) {
   py::class_<Recorder>(m, "Recorder", "Cycle records as columns; row k is the state before step k and what was decided there.")
-      .def(py::init<const WalkingController&>(), "controller"_a, py::keep_alive<1, 2>())
+      .def(py::init([](const WalkingController& c) { return std::make_unique<Recorder>(c); }), "controller"_a, py::keep_alive<1, 2>())
       .def(
           "add", [](Recorder& r, const CycleOutput& out, const py::object& data) { r.add(out, data_of(data)); }, "out"_a, "data"_a,
           "Adds one row; call right after mj_step, while `data` holds the contact forces of this cycle. Held cycles add none.")

@@ -137,6 +137,7 @@ WalkSettings resolve(const WalkSettings& settings, const RobotScale& robot) {
                                     {"friction_velocity", s.friction_velocity},
                                     {"fall_height", s.fall_height},
                                     {"fall_tilt", s.fall_tilt},
+                                    {"fall_foot_tilt", s.fall_foot_tilt},
                                     {"singular_damping", s.singular_damping}})
     require_positive(name, value);
   if (s.max_iterations < 1) throw InputError("max_iterations = " + std::to_string(s.max_iterations) + "; it must be at least 1");

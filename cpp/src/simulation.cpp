@@ -17,6 +17,9 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// Memory is set aside for walks up to this long; longer ones grow as they go [s].
+constexpr double kReservedTime = 300.0;
+
 /// MuJoCo warns and resets itself where a state is not finite or far too large.
 bool diverged(const mjData* d) {
   return d->warning[mjWARN_BADQPOS].number + d->warning[mjWARN_BADQVEL].number + d->warning[mjWARN_BADQACC].number > 0;
@@ -24,7 +27,8 @@ bool diverged(const mjData* d) {
 
 }  // namespace
 
-Recorder::Recorder(const WalkingController& controller, std::size_t rows) : controller_(&controller) {
+Recorder::Recorder(const WalkingController& controller, double duration) : controller_(&controller) {
+  const auto rows = static_cast<std::size_t>(std::clamp(duration, 0.0, kReservedTime) / controller.settings().control_dt) + 2;
   const int nv = controller.robot().nv(), joints = nv - 6;
   const std::vector<std::pair<const char*, int>> layout{
       {"t", 1}, {"com", 3}, {"dcom", 3}, {"com_des", 3}, {"dcom_des", 3}, {"v_plan", 3}, {"v_des", 3}, {"v_error_integral", 3},
@@ -93,6 +97,11 @@ void Recorder::add(const CycleOutput& out, const mjData* data) {
   ++rows_;
 }
 
+void Recorder::mark_fall() {
+  for (Column& column : columns_)
+    if (column.name == "fell" && !column.values.empty()) column.values.back() = 1.0;
+}
+
 Simulation::Simulation(WalkingController& controller) : controller_(controller), data_(mj_makeData(controller.robot().model())) {
   controller.robot().description().place(controller.robot().model(), data_.get());
 }
@@ -107,7 +116,7 @@ RunResult Simulation::run(double duration, Recorder& recorder, const std::functi
   controller_.reset(d);
   const double t_end = d->time + duration, dt = m->opt.timestep;
   RunResult result;
-  result.cycle_us.reserve(static_cast<std::size_t>(duration / controller_.settings().control_dt) + 2);
+  result.cycle_us.reserve(static_cast<std::size_t>(std::min(duration, kReservedTime) / controller_.settings().control_dt) + 2);
   double airborne = 0.0;
   const auto start = std::chrono::steady_clock::now();
   double reported = 0.0;
@@ -136,7 +145,10 @@ RunResult Simulation::run(double duration, Recorder& recorder, const std::functi
       break;
     }
   }
-  if (result.fell != Fall::kNone) result.fall_time = d->time;
+  if (result.fell != Fall::kNone) {
+    result.fall_time = d->time;
+    recorder.mark_fall();
+  }
   result.wall_time = seconds_since(start);
   return result;
 }

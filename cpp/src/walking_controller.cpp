@@ -11,9 +11,6 @@
 namespace zmpwalk {
 namespace {
 
-/// With the ZMP left to itself, the most that one cycle may ask of the COM to jump to the planned velocity [m/s^2].
-constexpr double kMaxBlindAcceleration = 2.0;
-
 double stand_height(const Dynamics& dyn) {
   return dyn.com.z() - 0.5 * (dyn.sole[kLeft].p_WF.z() + dyn.sole[kRight].p_WF.z());
 }
@@ -28,14 +25,9 @@ ZmpBounds bounds_of(const Robot& robot, Side side, const WalkSettings& settings)
   const Foot& foot = robot.description().feet[side];
   const auto& leg = robot.leg_joints()[side];
   const Vec3 ankle = robot.ankle_in_sole(side);
-  // Of the two last joints, the one whose axis lies along the sole's y pitches.
   const Dynamics& dyn = robot.dynamics();
-  const auto pitch_share = [&](int joint) {
-    const Vec3 axis = dyn.sole[side].J.col(6 + joint).tail<3>();
-    return std::abs(axis.dot(dyn.sole[side].R_WF.col(1)));
-  };
-  int pitch = leg[4], roll = leg[5];
-  if (pitch_share(roll) > pitch_share(pitch)) std::swap(pitch, roll);
+  const int pitch = robot.pitch_joint(side, 4, 6);
+  const int roll = leg[4] == pitch ? leg[5] : leg[4];
   const SoleLimits limits{foot.length, foot.width, ankle.head<2>(), robot.torque_limit()[pitch], robot.torque_limit()[roll]};
   return zmp_bounds(limits, dyn.mass * dyn.gravity.norm(), settings.sole_fraction, settings.ankle_torque_fraction);
 }
@@ -47,6 +39,7 @@ std::string to_string(Fall fall) {
     case Fall::kNone: return "";
     case Fall::kHeight: return "the COM came too low over the support foot";
     case Fall::kTilt: return "the trunk tilted too far";
+    case Fall::kFootTipped: return "the support foot tipped over its edge";
     case Fall::kNonFinite: return "the simulated state is no longer finite";
     case Fall::kNoContact: return "no foot touched the ground any more";
   }
@@ -63,7 +56,7 @@ WalkingController::WalkingController(const mjModel* model, const RobotDescriptio
       gait_(settings_, profile_, 0.5 * std::min(description.feet[kLeft].width, description.feet[kRight].width)),
       tracker_(settings_.tracker, settings_.tracker_gain, settings_.tracker_time, settings_.tracker_deadband),
       whole_body_(robot_.nv(), robot_.leg_joints(),
-                  {settings_.textbook, settings_.posture_task, settings_.wrench_distribution, settings_.singular_damping,
+                  {settings_.textbook, settings_.posture_task, settings_.wrench_distribution, settings_.contact_damping, settings_.singular_damping,
                    settings_.singular_pivot}),
       estimator_(robot_.nv()),
       bounds_{bounds_of(robot_, kLeft, settings_), bounds_of(robot_, kRight, settings_)},
@@ -102,8 +95,8 @@ double WalkingController::find_speed_limit() const {
   for (const Side side : kSides) {
     const RobotLeg leg = robot_.leg_at_stand(side);
     const double reach = std::sqrt(leg.thigh * leg.thigh + leg.shank * leg.shank + 2.0 * leg.thigh * leg.shank * std::cos(kStraightKnee));
-    const Vec3 d = leg.hip_to_ankle;
-    const double ahead = std::sqrt(std::max(reach * reach - d.z() * d.z() - d.y() * d.y(), 0.0)) - std::abs(d.x());
+    const Vec2 d = leg.hip_to_ankle;
+    const double ahead = std::sqrt(std::max(reach * reach - d.y() * d.y(), 0.0)) - std::abs(d.x());
     limit = std::min(limit, 2.0 * ahead / (settings_.T_ss + 2.0 * settings_.T_ds));
   }
   return std::max(limit, 0.0);
@@ -134,6 +127,7 @@ void WalkingController::reset(const mjData* data) {
   for (auto& pose : out_.foot) pose.setZero();
   const Vec3 forward = dyn.sole[kLeft].R_WF.col(0) + dyn.sole[kRight].R_WF.col(0);
   R_HB_ = rotation_z(std::atan2(forward.y(), forward.x())).transpose() * dyn.R_WB;
+  for (const Side side : kSides) up_[side] = dyn.sole[side].R_WF.col(2);
   started_ = true;
 }
 
@@ -187,7 +181,7 @@ const CycleOutput& WalkingController::update(mjData* data) {
   out_.f_c = result_.f_c;
   out_.damped = result_.damped;
   clip_torque(gait);
-  check_fall();
+  check_fall(gait);
   robot_.write_torque(out_.tau, data);
   return out_;
 }
@@ -235,12 +229,10 @@ void WalkingController::choose_reference(const GaitOutput& gait) {
   const bool smooth = tracker_.law() == TrackerLaw::kSmooth;
   if (smooth && settings_.zmp_modification) r.x() = pendulum_.reference_for(x_.x(), tracker_.acceleration(v_plan, v_.x()));
   Command c = command(r);
-  if (!smooth || !settings_.zmp_modification) {  // the desired velocity is the planned one
-    const double a = (v_plan - v_.x()) / dt;
+  if (!smooth || !settings_.zmp_modification) {  // the desired velocity is the planned one, which stands: nothing to feed forward
     c.x_d.x() = x_.x() + v_plan * dt;
     c.v_d.x() = v_plan;
-    c.f.x() = (settings_.feed_forward ? std::clamp(a, -kMaxBlindAcceleration, kMaxBlindAcceleration) : 0.0) +
-              pd_acceleration(kp_.x(), kd_.x(), c.x_d.x() - x_meas_.x(), c.v_d.x() - v_meas_.x());
+    c.f.x() = pd_acceleration(kp_.x(), kd_.x(), c.x_d.x() - x_meas_.x(), c.v_d.x() - v_meas_.x());
   }
   Vec2 zmp = estimate_of(c.f);
   Vec2 wanted = zmp;
@@ -335,7 +327,7 @@ void WalkingController::clip_torque(const GaitOutput& gait) {
   out_.zmp_est = cut.zmp;
 }
 
-void WalkingController::check_fall() {
+void WalkingController::check_fall(const GaitOutput& gait) {
   const Dynamics& dyn = robot_.dynamics();
   const double height = dyn.com.z() - std::max(dyn.sole[kLeft].p_WF.z(), dyn.sole[kRight].p_WF.z());
   const double tilt = std::acos(std::clamp((dyn.R_WB * R_HB_.transpose())(2, 2), -1.0, 1.0));
@@ -346,6 +338,9 @@ void WalkingController::check_fall() {
     out_.fell = Fall::kHeight;
   } else if (tilt > settings_.fall_tilt) {
     out_.fell = Fall::kTilt;
+  } else if (gait.phase.phase == Phase::kSingleSupport &&
+             dyn.sole[gait.support].R_WF.col(2).dot(up_[gait.support]) < std::cos(settings_.fall_foot_tilt)) {
+    out_.fell = Fall::kFootTipped;
   }
 }
 

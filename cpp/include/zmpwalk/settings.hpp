@@ -50,10 +50,11 @@ struct WalkSettings {
   // The other tasks, double support
   double trunk_kp = kNaN, trunk_kd = kNaN, posture_kp = kNaN, posture_kd = kNaN;
   bool posture_task = true, wrench_distribution = true, textbook = false;
+  double contact_damping = 100.0;
   double singular_damping = 1e-3, singular_pivot = 1e-2;
   double friction_velocity = 0.02;
   // A fall
-  double fall_height = 0.6, fall_tilt = 0.8;
+  double fall_height = 0.8, fall_tilt = 0.8, fall_foot_tilt = 0.3;
 };
 
 /// Calls `v(name, member, unit, meaning)` for every setting of `s`, in one order, for tables, keywords and files.
@@ -101,12 +102,14 @@ void visit_settings(Settings& s, Visitor&& v) {
   v("posture_kd", s.posture_kd, "1/s", "joints that are in no leg");
   v("posture_task", s.posture_task, "", "stack the posture of waist and arms");
   v("wrench_distribution", s.wrench_distribution, "", "share the load of two standing feet; False: minimum-norm torque");
+  v("contact_damping", s.contact_damping, "1/s", "damping of the velocity of a standing foot that does not carry the ZMP: without load it would drift off the ground");
   v("textbook", s.textbook, "", "equations 1-13 as printed instead of the direct path: slower, the same numbers");
   v("singular_damping", s.singular_damping, "", "damping of the motion where a leg is straight");
   v("singular_pivot", s.singular_pivot, "", "pivot below which a leg counts as straight");
   v("friction_velocity", s.friction_velocity, "rad/s", "joint speed below which dry friction is taken as proportional to speed");
   v("fall_height", s.fall_height, "", "COM height over the support foot, as a share of the start's, that counts as a fall");
   v("fall_tilt", s.fall_tilt, "rad", "trunk tilt that counts as a fall");
+  v("fall_foot_tilt", s.fall_foot_tilt, "rad", "tilt of the foot that stands alone that counts as a fall");
 }
 
 /// What the defaults scale with.

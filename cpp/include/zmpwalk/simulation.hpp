@@ -21,11 +21,14 @@ struct Column {
 /// Cycle records as columns. Row k is the state before step k and what was decided there.
 class Recorder {
  public:
-  /// @param controller must outlive the recorder   @param rows to reserve, so that `add` does not allocate
-  explicit Recorder(const WalkingController& controller, std::size_t rows = 0);
+  /// @param controller must outlive the recorder   @param duration to set memory aside for, so that `add` does not allocate [s]
+  explicit Recorder(const WalkingController& controller, double duration = 0.0);
 
   /// Adds one row, if `out` is a new cycle. Call right after mj_step: `data` then holds the contact forces of this cycle.
   void add(const CycleOutput& out, const mjData* data);
+
+  /// Marks the last row as a fall that shows only after the step: a state that is not finite, a foot that is lost.
+  void mark_fall();
 
   const std::vector<Column>& columns() const { return columns_; }
   std::size_t rows() const { return rows_; }

@@ -16,7 +16,7 @@
 namespace zmpwalk {
 
 /// Why a walk ended.
-enum class Fall : int { kNone = 0, kHeight, kTilt, kNonFinite, kNoContact };
+enum class Fall : int { kNone = 0, kHeight, kTilt, kFootTipped, kNonFinite, kNoContact };
 std::string to_string(Fall fall);
 
 /// Everything one cycle decided; every number that a figure shows. SI, W, unless said.
@@ -93,7 +93,7 @@ class WalkingController {
   void task_accelerations(const GaitOutput& gait);
   void choose_reference(const GaitOutput& gait);
   void clip_torque(const GaitOutput& gait);
-  void check_fall();
+  void check_fall(const GaitOutput& gait);
   double find_speed_limit() const;
 
   Robot robot_;
@@ -115,6 +115,7 @@ class WalkingController {
   long tick_ = 0;
   double ground_ = 0.0;            // height of the soles at the start
   Mat3 R_HB_;                      // trunk in the heading frame at the start
+  std::array<Vec3, 2> up_;         // normals of the soles at the start
   Vec2 com_des_ = Vec2::Zero(), dcom_des_ = Vec2::Zero();  // previous desired state, W
 
   // Of this cycle

@@ -69,7 +69,7 @@ void WholeBodyController::prepare_direct(const TaskAccelerations& f_star) {
     for (int i = 0; i < kUnknowns; ++i) K.block<6, 1>(row, i) = sole.J.col(unknown_[i]);
     auto rhs = x.block<6, 1>(row, 0);
     if (stance_.standing[side])
-      rhs = -sole.drift;
+      rhs = -sole.drift - damping_of(side) * sole.velocity;
     else
       rhs = f_star.swing - sole.drift;
     rhs.noalias() -= sole.J.middleCols<3>(3) * ddq_.block<3, 1>(3, 0);
@@ -114,7 +114,7 @@ void WholeBodyController::prepare_textbook(const TaskAccelerations& f_star) {
   for (const Side side : kSides) {
     if (!stance_.standing[side]) continue;
     J_c.middleRows<6>(row) = dyn.sole[side].J;
-    drift_c.segment<6>(row) = dyn.sole[side].drift;
+    drift_c.segment<6>(row) = dyn.sole[side].drift + damping_of(side) * dyn.sole[side].velocity;
     row += 6;
   }
   RowMatX J = RowMatX::Zero((both ? 6 : 12) + posture, nv_);

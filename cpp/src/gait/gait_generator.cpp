@@ -66,10 +66,9 @@ const GaitOutput& GaitGenerator::update(const GaitInput& in) {
   const Vec2 there = single ? out_.foothold.p : Vec2(in.p_sole[to].head<2>());
   out_.zmp_lateral = lateral_.reference(pendulum_, y, std::abs((there - out_.origin).dot(left)), out_.phase.to_mid_double, schedule_.period());
   if (!single && lateral_.awaits_switch()) {
-    PendulumState next = pendulum_.step(dt, y, out_.zmp_lateral);
-    next.x -= (in.p_sole[to].head<2>() - out_.origin).dot(left);
     const bool last = out_.phase.time + 1.5 * dt >= out_.phase.duration;
-    out_.w_T = lateral_.check_switch(pendulum_, next, out_.phase.to_mid_single - dt, last);
+    const double across = (in.p_sole[to].head<2>() - out_.origin).dot(left);
+    out_.w_T = lateral_.check_switch(pendulum_, y, out_.zmp_lateral, across, out_.phase.to_mid_single, dt, last);
   }
   return out_;
 }

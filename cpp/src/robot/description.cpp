@@ -120,40 +120,37 @@ void RobotDescription::check(const mjModel* m) const {
     if (foot.leg_joints.size() != 6)
       throw ModelError("the " + which + " leg has " + std::to_string(foot.leg_joints.size()) +
                        " joints between hip and foot; placing a flat foot anywhere takes 6");
-    for (const std::string& name : foot.leg_joints) {
-      const int joint = require(m, mjOBJ_JOINT, m->njnt, "joint", name);
+    for (const std::string& leg_joint : foot.leg_joints) {
+      const int joint = require(m, mjOBJ_JOINT, m->njnt, "joint", leg_joint);
       const std::vector<int> chain = ancestors(m, body);
       if (std::find(chain.begin(), chain.end(), m->jnt_bodyid[joint]) == chain.end())
-        throw ModelError("joint '" + name + "' is listed for the " + which + " leg but does not move the foot '" + foot.body + "'");
-      if (!in_legs.insert(name).second) throw ModelError("joint '" + name + "' is listed twice among the leg joints");
+        throw ModelError("joint '" + leg_joint + "' is listed for the " + which + " leg but does not move the foot '" + foot.body + "'");
+      if (!in_legs.insert(leg_joint).second) throw ModelError("joint '" + leg_joint + "' is listed twice among the leg joints");
     }
   }
   for (int j = 0; j < m->njnt; ++j) {
     if (m->body_rootid[m->jnt_bodyid[j]] != root_body || j == root) continue;
-    const std::string name = object_name(m, mjOBJ_JOINT, j);
+    const std::string joint = object_name(m, mjOBJ_JOINT, j);
     if (m->jnt_type[j] != mjJNT_HINGE && m->jnt_type[j] != mjJNT_SLIDE)
-      throw ModelError("joint '" + name + "' is neither hinge nor slide; zmpwalk drives those only");
+      throw ModelError("joint '" + joint + "' is neither hinge nor slide; zmpwalk drives those only");
     int motors = 0;
     for (int a = 0; a < m->nu; ++a) {
       if (m->actuator_trntype[a] != mjTRN_JOINT || m->actuator_trnid[2 * a] != j) continue;
       const std::string actuator = object_name(m, mjOBJ_ACTUATOR, a);
       if (m->actuator_gaintype[a] != mjGAIN_FIXED || m->actuator_biastype[a] != mjBIAS_NONE ||
           m->actuator_dyntype[a] != mjDYN_NONE || m->actuator_gainprm[mjNGAIN * a] != 1.0 || m->actuator_gear[6 * a] == 0.0)
-        throw ModelError("actuator '" + actuator + "' of joint '" + name + "' is not a plain torque motor; use <motor joint=\"" +
-                         name + "\" ctrlrange=\"-tau tau\"/>");
+        throw ModelError("actuator '" + actuator + "' of joint '" + joint + "' is not a plain torque motor; use <motor joint=\"" +
+                         joint + "\" ctrlrange=\"-tau tau\"/>");
       ++motors;
     }
     if (motors != 1)
-      throw ModelError("joint '" + name + "' has " + std::to_string(motors) +
-                       " motors; each joint of the robot needs exactly one (<motor joint=\"" + name + "\"/>)");
-    const auto stand = stand_joints.find(name);
-    if (stand == stand_joints.end()) throw ModelError("the start pose has no value for joint '" + name + "'");
-    if (!std::isfinite(stand->second)) throw ModelError("the start pose's value for joint '" + name + "' is not finite");
+      throw ModelError("joint '" + joint + "' has " + std::to_string(motors) +
+                       " motors; each joint of the robot needs exactly one (<motor joint=\"" + joint + "\"/>)");
+    const auto stand = stand_joints.find(joint);
+    if (stand == stand_joints.end()) throw ModelError("the start pose has no value for joint '" + joint + "'");
+    if (!std::isfinite(stand->second)) throw ModelError("the start pose's value for joint '" + joint + "' is not finite");
   }
-  for (const auto& [name, value] : stand_joints) {
-    (void)value;
-    require(m, mjOBJ_JOINT, m->njnt, "joint", name);
-  }
+  for (const auto& entry : stand_joints) require(m, mjOBJ_JOINT, m->njnt, "joint", entry.first);
   if (!stand_base_pos.allFinite() || !(std::abs(stand_base_quat.norm() - 1.0) < 1e-3))
     throw ModelError("the start pose's base is not a position and a unit quaternion (w, x, y, z)");
 }
@@ -167,8 +164,8 @@ void RobotDescription::place(const mjModel* m, mjData* d, double ground) const {
   base[2] += ground;
   for (int i = 0; i < 4; ++i) base[3 + i] = stand_base_quat[i];
   for (int i = 0; i < 6; ++i) d->qvel[m->jnt_dofadr[root] + i] = 0.0;
-  for (const auto& [name, value] : stand_joints) {
-    const int joint = find(m, mjOBJ_JOINT, name);
+  for (const auto& [joint_name, value] : stand_joints) {
+    const int joint = find(m, mjOBJ_JOINT, joint_name);
     d->qpos[m->jnt_qposadr[joint]] = value;
     d->qvel[m->jnt_dofadr[joint]] = 0.0;
   }

@@ -90,10 +90,23 @@ Robot::Robot(const mjModel* m, const RobotDescription& description)
     const int ankle = m->dof_jntid[dof0_ + 6 + leg_joints_[side].back()];
     const SoleState& sole = dynamics_.sole[side];
     ankle_F_[side] = sole.R_WF.transpose() * (vec3(data_->xanchor + 3 * ankle) - sole.p_WF);
-    const auto anchor = [&](int i) { return Vec3(vec3(data_->xanchor + 3 * m->dof_jntid[dof0_ + 6 + leg_joints_[side][i]])); };
-    const Vec3 hip = anchor(2), knee = anchor(3), foot = anchor(4);
+    const auto anchor = [&](int j) {
+      const mjtNum* p = data_->xanchor + 3 * m->dof_jntid[dof0_ + 6 + j];
+      const Vec3 p_F = sole.R_WF.transpose() * vec3(p);
+      return Vec2(p_F.x(), p_F.z());
+    };
+    const Vec2 hip = anchor(pitch_joint(side, 0, 3)), knee = anchor(leg_joints_[side][3]), foot = anchor(pitch_joint(side, 4, 6));
     leg_[side] = {(knee - hip).norm(), (foot - knee).norm(), foot - hip};
   }
+}
+
+int Robot::pitch_joint(Side side, int first, int last) const {
+  const SoleState& sole = dynamics_.sole[side];
+  const auto share = [&](int i) { return std::abs(sole.J.col(6 + leg_joints_[side][i]).tail<3>().dot(sole.R_WF.col(1))); };
+  int best = first;
+  for (int i = first + 1; i < last; ++i)
+    if (share(i) > share(best)) best = i;
+  return leg_joints_[side][best];
 }
 
 bool Robot::is_foot(Side side, int body) const {

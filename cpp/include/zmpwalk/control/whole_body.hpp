@@ -33,6 +33,7 @@ struct WholeBodyOptions {
   bool textbook = false;            ///< equations 1-13 as printed instead of the direct path
   bool posture_task = true;         ///< stack waist and arms; without it their motion is left to the minimum-norm torque
   bool wrench_distribution = true;  ///< share the load in double support; without it the minimum-norm torque decides
+  double contact_damping = 0.0;     ///< of a standing foot that does not carry the ZMP [1/s]: without load it would drift
   double damping = 1e-3;            ///< of the least-squares motion where a leg is straight [1 in rows of K]
   double singular_pivot = 1e-2;     ///< pivot below which the legs count as singular
 };
@@ -81,6 +82,8 @@ class WholeBodyController {
   using MatK = Eigen::Matrix<double, kUnknowns, kUnknowns>;
   using MatK3 = Eigen::Matrix<double, kUnknowns, 3>;
 
+  /// Velocity damping of a standing sole [1/s]: none on the support, whose contact holds it.
+  double damping_of(Side side) const { return side == stance_.support ? 0.0 : options_.contact_damping; }
   void prepare_direct(const TaskAccelerations& f_star);
   void prepare_textbook(const TaskAccelerations& f_star);
   bool uses_textbook() const { return options_.textbook || !options_.posture_task || !options_.wrench_distribution; }

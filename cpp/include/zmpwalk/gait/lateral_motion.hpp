@@ -21,11 +21,13 @@ class LateralMotion {
 
   /// Decides, in double support and before the switch, whether the next cycle switches.
   ///
-  /// @param next   lateral COM state one cycle ahead, about the sole centre of the foot to come [m, m/s]
-  /// @param T      from the next cycle to the middle of the next single support [s]
-  /// @param last   the double support ends with this cycle: switch whatever (18) says
-  /// @return       w(T), eq. 18 [m/s]
-  double check_switch(const LinearInvertedPendulum& pendulum, const PendulumState& next, double T, bool last);
+  /// @param now        lateral COM state about the support's sole centre [m, m/s]   @param r  reference ZMP there [m]
+  /// @param other_foot sole centre of the foot to come, seen from the support's [m]
+  /// @param T          from now to the middle of the next single support [s]        @param dt control period [s]
+  /// @param last       the double support ends with this cycle: switch whatever (18) says
+  /// @return           w(T), eq. 18, for a switch in the next cycle [m/s]
+  double check_switch(const LinearInvertedPendulum& pendulum, const PendulumState& now, double r, double other_foot, double T, double dt,
+                      bool last);
 
   /// Takes a switch that was decided in the previous cycle; call first in each cycle.
   void begin_cycle(bool double_support_began);

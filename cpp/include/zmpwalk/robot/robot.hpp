@@ -19,11 +19,11 @@ using MjDataPtr = std::unique_ptr<mjData, MjDataDeleter>;
 /// Name of a MuJoCo object, or "" where it has none.
 std::string object_name(const mjModel* m, mjtObj type, int id);
 
-/// Hip, knee and ankle of a leg at the start pose.
+/// Hip pitch, knee and ankle pitch axes of a leg at the start pose, seen from the side (x forward, z up).
 struct RobotLeg {
   double thigh = 0.0;                   ///< hip to knee [m]
   double shank = 0.0;                   ///< knee to ankle [m]
-  Vec3 hip_to_ankle = Vec3::Zero();     ///< W [m]
+  Vec2 hip_to_ankle = Vec2::Zero();     ///< [m]
 };
 
 /// One robot inside a MuJoCo model: mjModel and mjData on one side, `Dynamics` on the other.
@@ -78,6 +78,8 @@ class Robot {
   double joint_margin(const mjData* d) const;
   /// Motor of each joint (actuator index).
   const std::vector<int>& actuators() const { return actuator_; }
+  /// Of the leg joints [first, last), the one whose axis lies closest to the sole's y at the start pose (joint index).
+  int pitch_joint(Side side, int first, int last) const;
 
   /// Speed below which dry friction is taken as proportional to speed [rad/s].
   double friction_velocity = 0.02;

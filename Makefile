@@ -1,0 +1,200 @@
+# Everything that zmpwalk needs comes from the package index into build/; the system gives a C++17 compiler, GNU make,
+# and a Python with its headers and venv. `make help` lists the targets.
+
+SHELL := bash
+.DEFAULT_GOAL := help
+.NOTPARALLEL:
+MAKEFLAGS += --no-print-directory
+
+PYTHON ?=
+PYTEST_ARGS ?=
+CTEST_ARGS ?=
+DEMO_OUT ?= out/demo
+SANITIZE ?= address,undefined
+JOBS ?= $(shell nproc 2>/dev/null || echo 2)
+
+.PHONY: help demo test pytest ctest sanitize wheel wheel-check sdist stubs format lint check-all clean
+
+help:
+	@echo 'make demo         walk the paper'\''s experiment; figures, trace and summary go to $(DEMO_OUT)'
+	@echo 'make test         pytest and ctest            (PYTEST_ARGS="-k zmp", CTEST_ARGS="-R pendulum")'
+	@echo 'make pytest       only the Python tests;  make ctest  only the C++ tests'
+	@echo 'make sanitize     the C++ tests under $(SANITIZE)'
+	@echo 'make wheel        dist/*.whl;  make wheel-check  install it into an empty environment and walk;  make sdist'
+	@echo 'make format       clang-format, ruff, gersemi, nbstripout;  make lint  the same as a check, and mypy'
+	@echo 'make stubs        python/zmpwalk/_core.pyi from the built module'
+	@echo 'make check-all    test on every Python there is (3.8 to 3.13), sanitize, lint, wheel-check'
+	@echo 'make clean        remove build/ and dist/'
+	@echo
+	@echo 'PYTHON=3.11, python3.11 or a path chooses the interpreter, and with it MuJoCo: 2.2.2 up to Python 3.10, 4.0.0'
+	@echo 'from 3.11 on. Without it: the highest of 3.10, 3.9, 3.8 that works, else python3. JOBS=n limits the compilers.'
+
+clean:
+	rm -rf build dist
+
+# ---- which Python, which compiler: found once, only for the targets that need them
+ifneq ($(filter-out help clean check-all,$(or $(MAKECMDGOALS),help)),)
+
+INTERPRETER := $(shell .ci/find-python $(PYTHON))
+ifeq ($(INTERPRETER),)
+$(error no usable Python, see the line above)
+endif
+VERSION := $(shell '$(INTERPRETER)' -c 'import sys; print("%d.%d" % sys.version_info[:2])')
+MARKER := $(shell '$(INTERPRETER)' -c 'import sys; print("<" if sys.version_info < (3, 11) else ">=")')
+MUJOCO := $(shell sed -n 's/.*mujoco==\([0-9.]*\); python_version $(MARKER) .*/\1/p' pyproject.toml | head -n 1)
+
+# CXX from the command line or the environment, else what CMake would take
+COMPILER := $(if $(filter default undefined,$(origin CXX)),,$(CXX))
+COMPILER := $(shell for c in $(or $(COMPILER),c++ g++ clang++); do \
+	echo 'int main() { if constexpr (sizeof(int) > 1) return 0; }' | $$c -std=c++17 -fsyntax-only -x c++ - 2>/dev/null && \
+	echo $$c && break; done)
+ifeq ($(COMPILER),)
+$(error zmpwalk: no C++17 compiler works$(if $(filter default undefined,$(origin CXX)),, as CXX=$(CXX)): install one (Debian, Ubuntu: apt install g++))
+endif
+export CXX := $(COMPILER)
+ifneq ($(ZMPWALK_SAID),$(VERSION))
+$(info zmpwalk: Python $(VERSION) ($(INTERPRETER)), MuJoCo $(MUJOCO), compiler $(CXX))
+endif
+export ZMPWALK_SAID := $(VERSION)
+AGAIN = $(MAKE) -s PYTHON='$(INTERPRETER)'
+
+B := build/py$(VERSION)
+VENV := $(CURDIR)/$(B)/venv
+PY := $(VENV)/bin/python
+# --no-input and no version check: nothing here may wait for a person
+PIP = $(PY) -m pip --disable-pip-version-check --no-input -q
+# what a quiet step has to say is shown when it fails
+QUIETLY = >$(B)/$(1).log 2>&1 || { cat $(B)/$(1).log >&2; exit 1; }
+export PATH := $(VENV)/bin:$(PATH)
+export CMAKE_BUILD_PARALLEL_LEVEL := $(JOBS)
+unexport PYTHONPATH PYTHONHOME
+
+SOURCES := pyproject.toml CMakeLists.txt $(shell find cmake cpp bindings python -type f \
+	-not -path '*/__pycache__/*' -not -path '*/.*' 2>/dev/null) $(shell find cpp bindings python -type d 2>/dev/null)
+
+# ---- environment, in layers, each behind a stamp
+# The environment is made anew when the interpreter or the place of this folder changes.
+IDENTITY := $(INTERPRETER) $(CURDIR)
+ifneq ($(shell cat $(B)/identity 2>/dev/null),$(IDENTITY))
+$(shell rm -rf $(B) && mkdir -p $(B) && echo '$(IDENTITY)' >$(B)/identity)
+endif
+
+$(B)/venv.stamp: $(B)/identity
+	@echo '-- making $(B)/venv'
+	@'$(INTERPRETER)' -m venv --clear $(VENV) || { echo "zmpwalk: $(INTERPRETER) -m venv failed \
+	(Debian, Ubuntu: apt install python$(VERSION)-venv)" >&2; exit 1; }
+	@$(PIP) install --upgrade pip $(call QUIETLY,pip) # the pip that an old Python brings resolves slowly
+	@touch $@
+
+define install_requirements
+@echo '-- installing what pyproject.toml asks for: $(1)'
+@$(PY) .ci/requirements.py $(1) >$@.txt
+@$(PIP) install -r $@.txt $(call QUIETLY,requirements)
+@touch $@
+endef
+
+$(B)/base.stamp: $(B)/venv.stamp pyproject.toml
+	$(call install_requirements,build)
+
+$(B)/test.stamp: $(B)/base.stamp
+	$(call install_requirements,test)
+
+$(B)/dev.stamp: $(B)/test.stamp
+	$(call install_requirements,test lint)
+
+# Not editable: the tests meet what a user gets, so that a file missing from the package fails here. The build folder is
+# kept, so that only what changed is compiled.
+$(B)/installed.stamp: $(B)/base.stamp $(SOURCES)
+	@echo '-- building and installing zmpwalk'
+	@$(PIP) install --no-build-isolation --no-deps --force-reinstall --config-settings=build-dir=$(B)/extension . \
+		$(call QUIETLY,install)
+	@touch $@
+
+# ---- demo
+demo: $(B)/installed.stamp
+	MPLBACKEND=Agg $(VENV)/bin/zmpwalk walk --profile paper --out $(DEMO_OUT)
+
+# ---- tests: both runners always run; the last lines are their own totals
+test:
+	@$(AGAIN) pytest; pytest=$$?; $(AGAIN) ctest; ctest=$$?; \
+	echo; echo '== Python $(VERSION), MuJoCo $(MUJOCO)'; \
+	if [ $$ctest != 0 ]; then echo 'ctest failed'; fi; if [ $$pytest != 0 ]; then echo 'pytest failed'; fi; \
+	grep -E 'tests passed.* out of' $(B)/ctest.log || tail -n 1 $(B)/ctest.log; tail -n 1 $(B)/pytest.log; \
+	exit $$((pytest || ctest))
+
+pytest:
+	@echo 'pytest did not start' >$(B)/pytest.log
+	@$(AGAIN) $(B)/test.stamp $(B)/installed.stamp
+	@set -o pipefail; MPLBACKEND=Agg $(PY) -m pytest $(PYTEST_ARGS) 2>&1 | tee $(B)/pytest.log
+
+# The core is compiled once more, with its heap watch and assertions on, against the same MuJoCo.
+configure_tests = cmake -S . -B $(B)/$(1) -G Ninja -DPython_EXECUTABLE=$(PY) -DZMPWALK_BUILD_PYTHON=OFF \
+	-DZMPWALK_BUILD_TESTS=ON -DZMPWALK_WERROR=$(WERROR) $(2) $(call QUIETLY,configure-$(1))
+run_ctest = cd $(B)/$(1) && ctest --output-on-failure --no-tests=error --timeout $(2) -j $(JOBS) $(CTEST_ARGS)
+WERROR ?= ON
+
+ctest:
+	@echo 'ctest did not start' >$(B)/ctest.log
+	@$(AGAIN) $(B)/test.stamp
+	@echo '-- building the C++ tests'
+	@$(call configure_tests,cpp)
+	@cmake --build $(B)/cpp
+	@set -o pipefail; ($(call run_ctest,cpp,600)) 2>&1 | tee $(B)/ctest.log
+
+sanitize: $(B)/test.stamp
+	@echo '-- C++ tests under $(SANITIZE)'
+	@$(call configure_tests,sanitize,-DZMPWALK_SANITIZE=$(SANITIZE))
+	@cmake --build $(B)/sanitize
+	@$(call run_ctest,sanitize,3000)
+
+# ---- packages
+wheel: $(B)/venv.stamp
+	@rm -rf $(B)/wheel
+	@$(PIP) wheel --no-deps --wheel-dir $(B)/wheel . $(call QUIETLY,wheel)
+	@mkdir -p dist && cp $(B)/wheel/*.whl dist/ && ls $(B)/wheel/*.whl | sed 's,.*/,dist/,'
+
+wheel-check: wheel
+	@if $(PY) -m zipfile -l $(B)/wheel/*.whl | grep libmujoco; then echo 'the wheel holds libmujoco' >&2; exit 1; fi
+	@'$(INTERPRETER)' -m venv --clear $(B)/empty
+	@$(B)/empty/bin/python -m pip --disable-pip-version-check -q install $(B)/wheel/*.whl $(call QUIETLY,wheel-check)
+	@cd $(B) && MPLBACKEND=Agg empty/bin/zmpwalk walk --duration 2 --out wheel-check
+	@echo 'the wheel walks in an empty environment'
+
+sdist: $(B)/base.stamp
+	@$(PY) -c 'from scikit_build_core.build import build_sdist; print("dist/" + build_sdist("dist"))'
+
+# ---- style
+CXX_FILES = $(shell find cpp bindings tests/cpp -name '*.hpp' -o -name '*.cpp')
+CMAKE_FILES = CMakeLists.txt tests/cpp/CMakeLists.txt cmake/Wheels.cmake
+NOTEBOOKS = $(wildcard notebooks/*.ipynb)
+GERSEMI = gersemi --indent 2 --line-length 120 --no-warn-about-unknown-commands
+
+format: $(B)/dev.stamp
+	clang-format -i $(CXX_FILES)
+	ruff check --fix -q .; ruff format -q .
+	if [ -x $(VENV)/bin/gersemi ]; then $(GERSEMI) -i $(CMAKE_FILES); fi
+	$(if $(NOTEBOOKS),nbstripout $(NOTEBOOKS))
+
+lint: $(B)/dev.stamp $(B)/installed.stamp
+	clang-format --dry-run -Werror $(CXX_FILES)
+	ruff check . && ruff format --check .
+	if [ -x $(VENV)/bin/gersemi ]; then $(GERSEMI) --check $(CMAKE_FILES); fi
+	$(if $(NOTEBOOKS),nbstripout --verify $(NOTEBOOKS))
+	mypy
+
+stubs: $(B)/dev.stamp $(B)/installed.stamp
+	cd $(B) && pybind11-stubgen zmpwalk._core -o stubs
+	cp $(B)/stubs/zmpwalk/_core.pyi python/zmpwalk/_core.pyi && ruff check -q --fix python/zmpwalk/_core.pyi; \
+	ruff format -q python/zmpwalk/_core.pyi
+
+endif
+
+# ---- everything, everywhere
+check-all:
+	@failed=; for version in 3.8 3.9 3.10 3.11 3.12 3.13; do \
+		if .ci/find-python $$version >/dev/null 2>&1; then \
+			$(MAKE) test PYTHON=$$version && $(MAKE) wheel-check PYTHON=$$version || failed="$$failed $$version"; \
+		else echo "zmpwalk: no Python $$version here, not checked"; fi; done; \
+	$(MAKE) sanitize || failed="$$failed sanitize"; \
+	$(MAKE) lint || failed="$$failed lint"; \
+	if [ -n "$$failed" ]; then echo "failed:$$failed" >&2; exit 1; fi; echo 'all checks passed'

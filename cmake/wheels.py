@@ -1,0 +1,38 @@
+"""Say where this Python keeps the headers and libraries that come as wheels, as `name=value` lines for CMake.
+
+Nothing is imported: a package is only located, so this works in the isolated environment of a build as well.
+"""
+
+import importlib.util
+import re
+import sys
+from pathlib import Path
+
+
+def cmeel_include(folder: str, probe: str) -> str:
+    """The include folder of a cmeel package, known by one of its headers; empty if it is not installed."""
+    for entry in sys.path:
+        include = Path(entry or ".", "cmeel.prefix", "include", folder)
+        if (include / probe).exists():
+            return include.resolve().as_posix()
+    return ""
+
+
+def mujoco_library() -> "tuple[str, str, str]":
+    """Folder of the mujoco package, file name of its versioned library, and that version."""
+    spec = importlib.util.find_spec("mujoco")
+    for folder in (spec.submodule_search_locations or []) if spec else []:
+        for library in sorted(Path(folder).glob("libmujoco.*")):
+            version = re.search(r"\d+(\.\d+)+", library.name)
+            if version:
+                return Path(folder).resolve().as_posix(), library.name, version.group()
+    return "", "", ""
+
+
+if __name__ == "__main__":
+    folder, library, version = mujoco_library()
+    print(f"MUJOCO_DIR={folder}")
+    print(f"MUJOCO_LIBRARY={library}")
+    print(f"MUJOCO_VERSION={version}")
+    print(f"EIGEN_INCLUDE_DIR={cmeel_include('eigen3', 'Eigen/Core')}")
+    print(f"BOOST_INCLUDE_DIR={cmeel_include('', 'boost/test/unit_test.hpp')}")

@@ -1,0 +1,489 @@
+"""The command `zmpwalk`: walk, plot, inspect.
+
+Exit codes: 0 the robot stood to the end, 3 it fell (everything is written all the same), 2 bad input (one line on
+stderr, nothing written), 130 stopped by Ctrl-C (nothing written), 1 a fault of zmpwalk's own.
+"""
+
+from __future__ import annotations
+
+import difflib
+import json
+import math
+import os
+import shutil
+import sys
+import tempfile
+import time
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Callable, Iterator
+
+import click
+
+from .errors import Error, InputError
+
+if TYPE_CHECKING:
+    from .trace import Trace
+
+__all__ = ["cli", "main"]
+
+STOOD, FAULT, BAD_INPUT, FELL, INTERRUPTED = 0, 1, 2, 3, 130
+FIGURE_FILES = tuple(
+    f"fig{number}.png" for number in ("2_iteration", "4_tracking", "5_switch", "6_velocity", "7_sagittal", "8_lateral")
+)
+FOOTSTEPS = ("tied", "absolute", "paper", "printed")
+MISMATCH = 0.005  # of footsteps and planned velocity worth a warning [m/s]
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run the command line.
+
+    Args:
+        arguments: words after the command's name; None takes the process's own.
+
+    Returns:
+        The exit code; every error has been printed.
+
+    Usage: `zmpwalk.cli.main(["walk", "--duration", "4"])`
+    """
+    try:
+        words = sys.argv[1:] if arguments is None else list(arguments)
+        return int(cli.main(args=words or ["--help"], prog_name="zmpwalk", standalone_mode=False) or 0)
+    except click.exceptions.Exit as done:
+        return done.exit_code
+    except (click.Abort, KeyboardInterrupt):
+        print("zmpwalk: stopped; nothing was written", file=sys.stderr)
+        return INTERRUPTED
+    except click.ClickException as error:
+        return _complain(error.format_message())
+    except Error as error:
+        return _complain(str(error))
+    except BrokenPipeError:  # the reader of our output went away
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return STOOD
+    except Exception:
+        import traceback
+
+        traceback.print_exc()
+        print("zmpwalk: this is a fault of zmpwalk, please report it with the lines above", file=sys.stderr)
+        return FAULT
+
+
+def _complain(message: str) -> int:
+    print(f"zmpwalk: {' '.join(message.split())}", file=sys.stderr)
+    return BAD_INPUT
+
+
+def _print_version(context: click.Context, parameter: click.Parameter, asked: bool) -> None:
+    if asked and not context.resilient_parsing:
+        import mujoco
+
+        from . import __version__
+
+        click.echo(f"zmpwalk {__version__}, MuJoCo {mujoco.__version__}")
+        context.exit()
+
+
+@click.group(context_settings={"help_option_names": ["-h", "--help"]})
+@click.option(
+    "--version",
+    is_flag=True,
+    is_eager=True,
+    expose_value=False,
+    callback=_print_version,
+    help="Show versions and exit.",
+)
+def cli() -> None:
+    """Walk humanoids in MuJoCo by whole-body control and estimated ZMP."""
+
+
+# --- walk
+
+
+@cli.command()
+@click.option(
+    "--robot", default="mahru", show_default=True, help="A robot's name, or a path to a robot.json or an .xml."
+)
+@click.option(
+    "--profile",
+    default="paper",
+    show_default=True,
+    help='Planned velocity: paper, a CSV file, "0.2" or "0:0.063,0.8:0.156".',
+)
+@click.option("--duration", type=float, default=8.0, show_default=True, help="Simulated time [s].")
+@click.option(
+    "--law",
+    type=click.Choice(["default", "paper"]),
+    default="default",
+    show_default=True,
+    help="The control law's preset.",
+)
+@click.option(
+    "--footsteps", help='tied, absolute, paper, printed, or lengths "0.1,0.15,0.2" [m]; the law\'s own if not given.'
+)
+@click.option(
+    "--set", "changes", multiple=True, metavar="NAME=VALUE", help="Change one setting of WalkSettings; may be repeated."
+)
+@click.option("--out", type=click.Path(path_type=Path), help="Folder to write into.  [default: out/ROBOT-LAW]")
+@click.option("--json", "as_json", is_flag=True, help="Print the summary as JSON, and nothing else, on stdout.")
+@click.option("--no-figures", is_flag=True, help="Write trace and summary only.")
+def walk(
+    robot: str,
+    profile: str,
+    duration: float,
+    law: str,
+    footsteps: str | None,
+    changes: tuple[str, ...],
+    out: Path | None,
+    as_json: bool,
+    no_figures: bool,
+) -> int:
+    """Walk a robot in MuJoCo, then write trace, summary and figures."""
+    from .description import load_robot
+    from .profiles import VelocityProfile
+    from .simulation import WalkingController, check_duration, run
+
+    # Everything that can be wrong is found out before anything is written.
+    velocity = VelocityProfile.from_spec(profile)
+    duration = check_duration(duration)
+    settings = _settings(law, footsteps, changes)
+    model, description = load_robot(robot)
+    name = robot if robot.isidentifier() else description.name
+    controller = WalkingController(model, description, settings, velocity)
+    mismatch = getattr(controller, "plan_mismatch", lambda duration: 0.0)(duration)
+    out = out or Path("out") / f"{name}-{law}"
+    with _folder(out) as (draft, deliver):
+        if abs(mismatch) > MISMATCH:
+            kind = "faster" if mismatch > 0 else "slower"
+            print(
+                f"zmpwalk: warning: the footsteps go {abs(mismatch):.4f} m/s {kind} than the planned velocity",
+                file=sys.stderr,
+            )
+        progress = _Progress(duration)
+        try:
+            with progress:
+                trace = run(controller, duration, progress.at, robot=name)
+            files = _write(trace, draft, no_figures)
+        except KeyboardInterrupt:
+            print(f"zmpwalk: stopped at t = {progress.t:.2f} s of {duration:g} s; nothing was written", file=sys.stderr)
+            return INTERRUPTED
+        except OSError as error:
+            raise InputError(f"{out}: cannot write there: {(error.strerror or str(error)).lower()}") from None
+        deliver(files)
+        _remove_stale_figures(out, files)
+
+    summary = trace.summary()
+    if as_json:
+        click.echo(json.dumps(summary, indent=2, allow_nan=False))
+    else:
+        _print_summary(summary, out, len(files))
+    if summary["fell"]:
+        print(
+            f"zmpwalk: fell at t = {summary['fall_time']:.3f} s: {summary['fall_cause'] or 'cause unknown'}",
+            file=sys.stderr,
+        )
+        return FELL
+    return STOOD
+
+
+def _settings(law: str, footsteps: str | None, changes: tuple[str, ...]) -> Any:
+    """WalkSettings from the preset's name, --footsteps and the --set words.
+
+    Raises:
+        InputError: an unknown setting, or a value it cannot have.
+    """
+    from . import WalkSettings
+
+    known = WalkSettings(law=law).to_dict()
+    values: dict[str, Any] = {}
+    if footsteps is not None:
+        values["footsteps"] = footsteps if footsteps in FOOTSTEPS else _lengths(footsteps)
+    for change in changes:
+        name, equals, text = change.partition("=")
+        name = name.strip()
+        if not equals:
+            raise InputError(f"--set {change}: write it as NAME=VALUE")
+        if name not in known:
+            near = difflib.get_close_matches(name, known, 3, 0.5) or sorted(known)
+            raise InputError(f"--set {change}: no setting '{name}'; there is {', '.join(near)}")
+        values[name] = _parse(text.strip(), known[name], change)
+    try:
+        return WalkSettings(law=values.pop("law", law), **values)
+    except TypeError as error:
+        raise InputError(f"settings: {error}") from None
+
+
+def _lengths(text: str) -> list[float]:
+    try:
+        lengths = [float(word) for word in text.split(",")]
+    except ValueError:
+        lengths = []
+    if not lengths or not all(map(math.isfinite, lengths)):
+        raise InputError(f'--footsteps "{text}": it is {", ".join(FOOTSTEPS)}, or lengths "0.1,0.15,0.2" [m]')
+    return lengths
+
+
+def _parse(text: str, like: Any, change: str) -> Any:
+    """A value of the kind of `like`."""
+    words = {"true": True, "on": True, "yes": True, "false": False, "off": False, "no": False}
+    try:
+        if isinstance(like, bool):
+            return words[text.lower()] if text.lower() in words else bool(("0", "1").index(text))
+        if isinstance(like, int):
+            return int(text)
+        if isinstance(like, float):
+            return float(text)
+        if isinstance(like, (list, tuple)):
+            return [float(word) for word in text.split(",") if word.strip()]
+    except ValueError:
+        kind = "true or false" if isinstance(like, bool) else "an integer" if isinstance(like, int) else "a number"
+        raise InputError(f"--set {change}: '{text}' is not {kind}") from None
+    return text
+
+
+@contextmanager
+def _folder(out: Path) -> Iterator[tuple[Path, Callable[[list[Path]], None]]]:
+    """A hidden folder in `out` to write into, and how to move its files out of it once they are all there.
+
+    Leaves `out` as it was, or absent, if they never are.
+
+    Raises:
+        InputError: `out` cannot be made or written.
+    """
+    made = [folder for folder in (out, *out.parents) if not folder.exists()]
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+        draft = Path(tempfile.mkdtemp(prefix=".walk-", dir=out))
+    except OSError as error:
+        _remove_empty(made)
+        raise InputError(f"{out}: cannot write there: {(error.strerror or str(error)).lower()}") from None
+
+    def deliver(files: list[Path]) -> None:
+        for file in files:
+            os.replace(file, out / file.name)
+
+    try:
+        yield draft, deliver
+    finally:
+        shutil.rmtree(draft, ignore_errors=True)
+        _remove_empty(made)
+
+
+def _remove_empty(folders: list[Path]) -> None:
+    for folder in folders:
+        try:
+            folder.rmdir()
+        except OSError:
+            return
+
+
+def _write(trace: Trace, folder: Path, no_figures: bool) -> list[Path]:
+    files = [trace.save(folder / "trace.npz"), folder / "summary.json"]
+    files[1].write_text(json.dumps(trace.summary(), indent=2, allow_nan=False) + "\n", encoding="utf-8")
+    if not no_figures:
+        from . import plot
+
+        files += plot.save_all(trace, folder)
+    return files
+
+
+def _remove_stale_figures(out: Path, files: list[Path]) -> None:
+    """Figures of an earlier walk would tell lies beside the trace of this one."""
+    new = {file.name for file in files}
+    for old in out.glob("fig[0-9]_*.png"):
+        if old.name not in new and old.name in FIGURE_FILES:
+            old.unlink()
+
+
+class _Progress:
+    """How far the walk is: a bar on a terminal, otherwise a line now and then; always on stderr."""
+
+    EVERY = 5.0  # lines apart in a file or pipe [s of wall time]
+
+    def __init__(self, duration: float):
+        self.t, self._duration, self._bar, self._next = 0.0, duration, None, 0.0  # type: float, float, Any, float
+
+    def __enter__(self) -> _Progress:
+        if sys.stderr.isatty():
+            from rich.console import Console
+            from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
+
+            self._bar = Progress(
+                TextColumn("walking"),
+                BarColumn(),
+                TextColumn("{task.completed:5.1f} of {task.total:g} s"),
+                TimeRemainingColumn(),
+                console=Console(stderr=True),
+            )
+            self._bar.start()
+            self._task = self._bar.add_task("walking", total=self._duration)
+        else:
+            print(f"walking for {self._duration:g} s", file=sys.stderr, flush=True)
+            self._next = time.monotonic() + self.EVERY
+        return self
+
+    def at(self, t: float, duration: float) -> None:
+        self.t = t
+        if self._bar is not None:
+            self._bar.update(self._task, completed=t)
+        elif time.monotonic() >= self._next:
+            print(f"walked {t:.1f} of {duration:g} s", file=sys.stderr, flush=True)
+            self._next = time.monotonic() + self.EVERY
+
+    def __exit__(self, kind: Any, *rest: Any) -> None:
+        if self._bar is not None:
+            if kind is None:
+                self._bar.update(self._task, completed=self._duration)
+            self._bar.stop()
+
+
+def _console() -> Any:
+    from rich.console import Console
+
+    width = None if sys.stdout.isatty() else 100
+    return Console(width=width, highlight=False, markup=False)
+
+
+def _print_summary(summary: dict[str, Any], out: Path, count: int) -> None:
+    from rich.table import Table
+
+    console, error = _console(), summary["zmp_error_mm"]
+    steps = Table(title="mean speed per step [m/s]", title_justify="left", box=None, pad_edge=False)
+    for heading in ("from [s]", "planned", "walked", "off by"):
+        steps.add_column(heading, justify="right")
+    speeds = list(zip(summary["planned_speed_per_step"], summary["mean_speed_per_step"]))
+    period = summary["step_period"]
+    shown = range(len(speeds)) if len(speeds) <= 12 else (*range(6), None, *range(len(speeds) - 3, len(speeds)))
+    for k in shown:
+        if k is None:
+            steps.add_row("...", "", "", "")
+            continue
+        plan, speed = speeds[k]
+        off = f"{100 * (speed / plan - 1):+.2f} %" if plan else f"{speed - plan:+.4f}"
+        steps.add_row(f"{k * period:.1f}", f"{plan:.4f}", f"{speed:.4f}", off)
+
+    facts = Table(box=None, show_header=False, pad_edge=False)
+    facts.add_column()
+    facts.add_column(justify="right")
+    facts.add_column()
+    end = f"fell at {summary['fall_time']:.3f} s" if summary["fell"] else "stood to the end"
+    facts.add_row("walk", f"{summary['duration']:g} s", f"{summary['step_count']} steps, {end}")
+    for label, key in (
+        ("median", "median"),
+        ("95th percentile", "p95"),
+        ("same, single support", "single_support_p95"),
+    ):
+        facts.add_row("ZMP error, " + label, " / ".join(_number(e, 4) for e in error[key]), "mm, x / y")
+    iterations, cycle = summary["iterations"], summary["cycle_us"]
+    facts.add_row(
+        "iterations",
+        f"{_number(iterations['mean'], 1)} / {_number(iterations['max'], 0)}",
+        "mean / max where the ZMP was modified",
+    )
+    facts.add_row("peak torque", _number(100 * (summary["peak_torque_ratio"] or math.nan), 0), "% of the limit")
+    facts.add_row(
+        "control cycle", f"{_number(cycle['median'], 0)} / {_number(cycle['p99'], 0)}", "µs, median / 99th percentile"
+    )
+    facts.add_row("real-time factor", _number(summary["real_time_factor"], 1), "× real time")
+    console.print(steps, "", facts, sep="\n")
+    console.print(f"\n{count} files in {out}", soft_wrap=True)
+
+
+def _number(value: float | None, digits: int) -> str:
+    if value is None or not math.isfinite(value):
+        return "–"
+    return f"{value:.{digits}f}" if abs(value) < 1e5 else f"{value:.1e}"
+
+
+# --- plot
+
+
+@cli.command()
+@click.argument("trace", type=click.Path(path_type=Path))
+@click.option("--out", type=click.Path(path_type=Path), help="Folder to write into.  [default: beside the trace]")
+@click.option(
+    "--figure",
+    "figures",
+    multiple=True,
+    metavar="NAME",
+    help="iteration, tracking, switch, velocity, sagittal, lateral; all if not given.",
+)
+@click.option(
+    "--format", "kind", type=click.Choice(["png", "pdf", "svg"]), default="png", show_default=True, help="File format."
+)
+def plot(trace: Path, out: Path | None, figures: tuple[str, ...], kind: str) -> int:
+    """Draw the figures of a walk from its TRACE file alone."""
+    from . import plot as plots
+    from .trace import Trace
+
+    names = [name for name in figures if name != "all"]
+    for name in names:
+        plots.figure_function(name)
+    walked = Trace.load(trace)
+    with _folder(out or trace.parent) as (draft, deliver):
+        files = plots.save_all(walked, draft, names or None, kind)
+        deliver(files)
+    for file in files:
+        click.echo(str((out or trace.parent) / file.name))
+    return STOOD
+
+
+# --- inspect
+
+
+@cli.command()
+@click.argument("model")
+@click.option("--json", "as_json", is_flag=True, help="Print what was found as JSON.")
+def inspect(model: str, as_json: bool) -> int:
+    """Show what is found in MODEL: a robot's name, a robot.json, or an .xml that carries its marks."""
+    from .description import inspect_robot, load_robot
+
+    found = inspect_robot(*load_robot(model))
+    if as_json:
+        click.echo(json.dumps(found, indent=2, allow_nan=False))
+    else:
+        _print_inspection(found)
+    return STOOD
+
+
+def _print_inspection(found: dict[str, Any]) -> None:
+    from rich.table import Table
+
+    console = _console()
+    facts = Table(box=None, show_header=False, pad_edge=False)
+    facts.add_column()
+    facts.add_column()
+    base = found["base"]
+    facts.add_row("robot", found["name"])
+    facts.add_row("base", f"body {base['body']}, free joint {base['joint']}")
+    facts.add_row("mass", f"{found['mass_kg']:.2f} kg")
+    facts.add_row("COM height", f"{found['com_height_m']:.3f} m over the soles; T_c = {found['T_c_s']:.4f} s")
+    for side in ("left", "right"):
+        foot = found["feet"][side]
+        site = f", site {foot['sole_site']}" if foot["sole_site"] else ""
+        x, y, _ = (round(number, 3) + 0.0 for number in foot["sole_center_m"])  # + 0.0: no minus before a zero
+        facts.add_row(f"{side} foot", f"body {foot['body']}{site}")
+        size = f"{foot['length_m']:.3f} × {foot['width_m']:.3f} m"
+        facts.add_row(f"{side} sole", f"{size}, stands at x {x:+.3f}, y {y:+.3f} m")
+    facts.add_row(
+        "stand pose", (found["stand_keyframe"] and f"keyframe {found['stand_keyframe']}") or "from the description"
+    )
+    facts.add_row("joints", ", ".join(f"{role} {count}" for role, count in found["roles"].items()))
+    console.print(facts)
+    console.print()
+    joints = Table(box=None, pad_edge=False)
+    for words in ("joint", "role", "turns"):
+        joints.add_column(words, no_wrap=True)
+    for numbers in ("stand [rad]", "range [rad]", "torque limit [N m]"):
+        joints.add_column(numbers, justify="right", no_wrap=True)
+    for joint in found["joints"]:
+        low_high = joint["range_rad"]
+        joints.add_row(
+            joint["name"],
+            joint["role"],
+            joint["turns"],
+            f"{joint['stand_rad']:+.3f}",
+            f"{low_high[0]:+.2f} .. {low_high[1]:+.2f}" if low_high else "–",
+            _number(joint["torque_limit_Nm"], 1),
+        )
+    console.print(joints)

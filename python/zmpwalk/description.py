@@ -1,0 +1,407 @@
+"""Robots: the ones that come with zmpwalk, and descriptions of others read from files."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+from typing import Any, Tuple, Union
+
+import mujoco
+import numpy as np
+
+from . import _core
+from ._core import Foot, RobotDescription
+from .errors import InputError, ModelError
+
+__all__ = [
+    "Foot",
+    "RobotDescription",
+    "available_robots",
+    "describe",
+    "load_robot",
+    "read_description",
+    "torque_limits",
+]
+
+ROBOTS = Path(__file__).resolve().parent / "robots"
+
+Robot = Union[str, os.PathLike, "mujoco.MjModel", Tuple[Any, Any]]
+
+
+def available_robots() -> list[str]:
+    """Names of the robots that come with zmpwalk.
+
+    Returns:
+        Sorted names, each good for `load_robot` and `zmpwalk walk --robot`.
+
+    Usage: `zmpwalk.available_robots()  # -> ["mahru"]`
+    """
+    return sorted(_bundled())
+
+
+def _bundled() -> dict[str, Path]:
+    files = {path.parent.name: path for path in ROBOTS.glob("*/robot.json")}
+    files.update({path.stem: path for path in ROBOTS.glob("*.xml")})
+    return files
+
+
+def load_robot(robot: Robot) -> tuple[mujoco.MjModel, RobotDescription]:
+    """A robot's model and where its feet are.
+
+    Args:
+        robot: one of
+            - a name of `available_robots()`;
+            - a path to a `robot.json` (or the folder that holds one): its "scene" is loaded, or its "model" where it
+              has no scene;
+            - a path to an MJCF `.xml`, or an `MjModel`, with box sites `left_sole` and `right_sole` and a keyframe
+              `stand`;
+            - a pair (`.xml` path or `MjModel`, `RobotDescription` or `robot.json` path or None).
+
+    Returns:
+        model: the compiled model.
+        description: checked against the model: `description.place(model, data)` works.
+
+    Raises:
+        InputError: unknown name, missing file, or a `robot.json` without a key it needs (named).
+        ModelError: MuJoCo refuses the model, or the model lacks what the description names.
+
+    Usage: `model, description = zmpwalk.load_robot("mahru")`
+    """
+    description, name = None, ""
+    if isinstance(robot, (tuple, list)):
+        if len(robot) != 2:
+            raise InputError(
+                f"a robot given as a pair is (model or xml path, description); this has {len(robot)} parts"
+            )
+        robot, description = robot
+        if isinstance(description, (str, os.PathLike)):
+            description = read_description(description)
+    if isinstance(robot, mujoco.MjModel):
+        model = robot
+    elif isinstance(robot, (str, os.PathLike)):
+        path = _find(robot)
+        if path.suffix.lower() == ".json":
+            plain = _read_json(path)
+            description = description or description_from_dict(plain, str(path))
+            path = path.parent / _model_file(plain, path)
+        model, name = _load_xml(path), path.stem
+    else:
+        raise InputError(
+            f"a robot is a name, a path, a model or a pair (model, description), not {type(robot).__name__}"
+        )
+    if description is None:
+        found = description_to_dict(describe(model))
+        return model, description_from_dict({**found, "name": name or found["name"]})
+    description.check(model)
+    return model, description
+
+
+def _find(robot: str | os.PathLike) -> Path:
+    bundled = _bundled()
+    if robot in bundled:
+        return bundled[str(robot)]
+    path = Path(robot).expanduser()
+    if path.is_dir() and (path / "robot.json").is_file():
+        return path / "robot.json"
+    if path.is_file() and path.suffix.lower() in (".xml", ".json"):
+        return path
+    if path.exists():
+        raise InputError(f"{path}: not a robot; give a robot.json, a folder with one, or an MJCF .xml")
+    if path.suffix or len(path.parts) > 1:
+        raise InputError(f"{path}: no such file")
+    raise InputError(
+        f"unknown robot '{robot}': there is {', '.join(sorted(bundled))}; a path to a robot.json or an .xml works too"
+    )
+
+
+def _load_xml(path: Path) -> mujoco.MjModel:
+    if not path.is_file():
+        raise InputError(f"{path}: no such file")
+    try:
+        return mujoco.MjModel.from_xml_path(str(path))
+    except Exception as error:  # MuJoCo raises ValueError, or its own FatalError
+        raise ModelError(f"{path}: MuJoCo cannot load it: {' '.join(str(error).split())}") from None
+
+
+def describe(model: mujoco.MjModel) -> RobotDescription:
+    """The description of a model that carries its own marks.
+
+    Args:
+        model: has a free joint, box sites `left_sole` and `right_sole` (centre on the sole plane, x forward, y left,
+            z up, half sizes those of the sole) and a keyframe `stand`.
+
+    Returns:
+        Feet, legs, soles and start pose.
+
+    Raises:
+        ModelError: one of the marks is missing; says which, and what would have worked.
+
+    Usage: `description = zmpwalk.describe(mujoco.MjModel.from_xml_path("robot.xml"))`
+    """
+    return _core.describe(model)
+
+
+def read_description(path: str | os.PathLike) -> RobotDescription:
+    """Read the description in a `robot.json`.
+
+    Args:
+        path: the file. Required keys: root_joint, left, right (each foot_body, leg_joints, and either rect_x, rect_y
+            [m] in the foot's body or length, width [m]; and either sole_center [m] or rect_x, rect_y and sole_z),
+            stand_joints [rad], stand_base_pos [m]. Optional: name, sole_site, sole_quat_wxyz, stand_base_quat_wxyz,
+            stand_keyframe.
+
+    Returns:
+        The description, not yet compared with a model: `description.check(model)` does that.
+
+    Raises:
+        InputError: no such file, not JSON, a key missing or of the wrong kind; names the key and the file.
+
+    Usage: `zmpwalk.load_robot(("my_scene.xml", zmpwalk.read_description("robot.json")))`
+    """
+    return description_from_dict(_read_json(Path(path)), str(path))
+
+
+def _read_json(path: Path) -> dict[str, Any]:
+    try:
+        plain = json.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise InputError(f"{path}: {(error.strerror or str(error)).lower()}") from None
+    except ValueError as error:  # JSON and encoding
+        raise InputError(f"{path}: not JSON: {error}") from None
+    if not isinstance(plain, dict):
+        raise InputError(f"{path}: a robot description is an object {{...}}, this is a {type(plain).__name__}")
+    return plain
+
+
+def _model_file(plain: dict[str, Any], path: Path) -> str:
+    file = plain.get("scene") or plain.get("model")
+    if not isinstance(file, str):
+        raise InputError(f"{path}: key 'model' is missing: the MJCF file's name, relative to this file")
+    return file
+
+
+class _Reader:
+    """Takes values out of a robot.json, naming key and file where one is missing or wrong."""
+
+    def __init__(self, plain: dict[str, Any], source: str, prefix: str = ""):
+        self.plain, self.source, self.prefix = plain, source, prefix
+
+    def value(self, key: str, kind: type | tuple[type, ...], what: str, default: Any = None) -> Any:
+        if key not in self.plain:
+            if default is None:
+                raise InputError(f"{self.source}: key '{self.prefix}{key}' is missing: {what}")
+            return default
+        if not isinstance(self.plain[key], kind):
+            raise InputError(f"{self.source}: key '{self.prefix}{key}' is {self.plain[key]!r}; it must be {what}")
+        return self.plain[key]
+
+    def numbers(self, key: str, count: int, what: str, default: Any = None) -> np.ndarray:
+        raw = self.value(key, (list, tuple), what, default)
+        try:
+            array = np.asarray(raw, float)
+        except (TypeError, ValueError):
+            array = np.empty(0)
+        if array.shape != (count,) or not np.isfinite(array).all():
+            raise InputError(f"{self.source}: key '{self.prefix}{key}' is {raw!r}; it must be {what}")
+        return array
+
+    def length(self, key: str) -> float:
+        number = self.value(key, (int, float), "a length [m], more than 0")
+        if not number > 0:
+            raise InputError(
+                f"{self.source}: key '{self.prefix}{key}' is {number!r}; it must be a length [m], more than 0"
+            )
+        return float(number)
+
+
+def description_from_dict(plain: dict[str, Any], source: str = "description") -> RobotDescription:
+    """The description in a dictionary of the form of a `robot.json`, the inverse of `description_to_dict`.
+
+    Args:
+        plain: keys as `read_description` lists them.
+        source: where it comes from, named in messages.
+
+    Raises:
+        InputError: a key is missing or of the wrong kind.
+
+    Usage: `description_from_dict(json.load(file), "robot.json")`
+    """
+    reader = _Reader(plain, source)
+    feet = [_foot(reader.value(side, dict, f"the {side} foot's object"), source, side) for side in ("left", "right")]
+    joints = reader.value("stand_joints", dict, "joint name -> angle [rad] of the start pose")
+    for joint, angle in joints.items():
+        if isinstance(angle, bool) or not isinstance(angle, (int, float)) or not np.isfinite(angle):
+            raise InputError(f"{source}: key 'stand_joints.{joint}' is {angle!r}; it must be an angle [rad]")
+    return RobotDescription(
+        name=reader.value("name", str, "a name", Path(source).parent.name or "robot"),
+        root_joint=reader.value("root_joint", str, "the name of the free joint"),
+        left=feet[0],
+        right=feet[1],
+        stand_joints={joint: float(angle) for joint, angle in joints.items()},
+        stand_base_pos=reader.numbers("stand_base_pos", 3, "three numbers [m]"),
+        stand_base_quat=reader.numbers("stand_base_quat_wxyz", 4, "a quaternion [w, x, y, z]", [1.0, 0.0, 0.0, 0.0]),
+        stand_keyframe=reader.value("stand_keyframe", str, "a keyframe's name", ""),
+    )
+
+
+def _foot(plain: dict[str, Any], source: str, side: str) -> Foot:
+    reader = _Reader(plain, source, f"{side}.")
+    joints = reader.value("leg_joints", list, "the leg's joint names from hip to ankle")
+    if "length" in plain or "width" in plain:
+        length, width = reader.length("length"), reader.length("width")
+        centre = reader.numbers("sole_center", 3, "three numbers [m] in the foot's body")
+    else:
+        x, y = (
+            reader.numbers(key, 2, "[from, to] of the sole's rectangle in the foot's body [m]")
+            for key in ("rect_x", "rect_y")
+        )
+        length, width = x[1] - x[0], y[1] - y[0]
+        if not (length > 0 and width > 0):
+            raise InputError(
+                f"{source}: keys '{side}.rect_x', '{side}.rect_y' are {x.tolist()}, {y.tolist()}; "
+                "each must be [from, to]"
+            )
+        if "sole_center" in plain:
+            centre = reader.numbers("sole_center", 3, "three numbers [m] in the foot's body")
+        else:
+            z = reader.value(
+                "sole_z", (int, float), "the sole plane's height in the foot's body [m] (or give sole_center)"
+            )
+            centre = np.array([x.mean(), y.mean(), float(z)])
+    return Foot(
+        body=reader.value("foot_body", str, "the name of the foot's body"),
+        sole_site=reader.value("sole_site", str, "a site's name", ""),
+        sole_pos=centre,
+        sole_quat=reader.numbers("sole_quat_wxyz", 4, "a quaternion [w, x, y, z]", [1.0, 0.0, 0.0, 0.0]),
+        length=float(length),
+        width=float(width),
+        leg_joints=[str(joint) for joint in joints],
+    )
+
+
+def description_to_dict(description: RobotDescription) -> dict[str, Any]:
+    """A description as plain lists and strings, in the form of a `robot.json`.
+
+    Returns:
+        What `read_description` reads, lengths in m, angles in rad; exact: reading it gives the same numbers.
+
+    Usage: `json.dump(description_to_dict(description), file)`
+    """
+
+    def foot(f: Foot) -> dict[str, Any]:
+        return {
+            "leg_joints": list(f.leg_joints), "foot_body": f.body, "sole_site": f.sole_site,
+            "sole_center": np.asarray(f.sole_pos).tolist(), "sole_quat_wxyz": np.asarray(f.sole_quat).tolist(),
+            "length": float(f.length), "width": float(f.width),
+        }  # fmt: skip
+
+    return {
+        "name": description.name, "root_joint": description.root_joint,
+        "left": foot(description.left), "right": foot(description.right),
+        "stand_joints": {joint: float(angle) for joint, angle in dict(description.stand_joints).items()},
+        "stand_base_pos": np.asarray(description.stand_base_pos).tolist(),
+        "stand_base_quat_wxyz": np.asarray(description.stand_base_quat).tolist(),
+        "stand_keyframe": description.stand_keyframe,
+    }  # fmt: skip
+
+
+def torque_limits(model: mujoco.MjModel) -> np.ndarray:
+    """The largest torque each actuator can put on its joint.
+
+    Args:
+        model: with joint motors.
+
+    Returns:
+        (nu,) [N m]; infinite where nothing limits it. The tighter of the actuator's control and force range and,
+        where MuJoCo has it, the joint's own.
+
+    Usage: `zmpwalk.description.torque_limits(model)`
+    """
+    limits = np.full(model.nu, np.inf)
+    for i in range(model.nu):
+        gear = abs(model.actuator_gear[i, 0])
+        is_motor = model.actuator_biastype[i] == mujoco.mjtBias.mjBIAS_NONE  # else ctrl is not a torque
+        if is_motor and model.actuator_ctrllimited[i]:
+            limits[i] = gear * abs(model.actuator_gainprm[i, 0]) * abs(model.actuator_ctrlrange[i]).max()
+        if model.actuator_forcelimited[i]:
+            limits[i] = min(limits[i], gear * abs(model.actuator_forcerange[i]).max())
+        joint = model.actuator_trnid[i, 0]
+        if getattr(model, "jnt_actfrclimited", np.zeros(model.njnt))[joint]:
+            limits[i] = min(limits[i], abs(model.jnt_actfrcrange[joint]).max())
+    return limits
+
+
+def inspect_robot(model: mujoco.MjModel, description: RobotDescription) -> dict[str, Any]:
+    """What a walk needs to know of a robot, found in its model.
+
+    Args:
+        model, description: as `load_robot` returns them.
+
+    Returns:
+        Plain values: name, base, mass_kg, com_height_m (over the lower sole, at the start pose), T_c_s, feet (where
+        they stand), roles (how many joints each), joints (role, axis it turns about at the start pose, range_rad,
+        torque_limit_Nm; None where there is no limit).
+
+    Raises:
+        ModelError: the model lacks what the description names.
+
+    Usage: `inspect_robot(*zmpwalk.load_robot("mahru"))["mass_kg"]`
+    """
+    data = mujoco.MjData(model)
+    description.place(model, data)
+    root_joint = _id(model, "JOINT", description.root_joint)
+    root = int(model.jnt_bodyid[root_joint])
+    feet = {side: _standing_foot(model, data, getattr(description, side)) for side in ("left", "right")}
+    height = float(data.subtree_com[root][2] - min(foot["sole_center_m"][2] for foot in feet.values()))
+    limits = dict(zip(model.actuator_trnid[:, 0].tolist(), torque_limits(model).tolist()))
+    legs = {joint: f"{side} leg" for side in ("left", "right") for joint in getattr(description, side).leg_joints}
+    joints: list[dict[str, Any]] = []
+    roles: dict[str, int] = {}
+    for j in range(model.njnt):
+        if int(model.body_rootid[model.jnt_bodyid[j]]) != int(model.body_rootid[root]) or j == root_joint:
+            continue
+        name = mujoco.mj_id2name(model, mujoco.mjtObj.mjOBJ_JOINT, j) or f"joint {j}"
+        role = legs.get(name, "posture")
+        axis = int(np.argmax(np.abs(data.xaxis[j])))
+        limit = limits.get(j, np.inf)
+        roles[role] = roles.get(role, 0) + 1
+        joints.append({
+            "name": name,
+            "role": role,
+            "turns": ("roll", "pitch", "yaw")[axis],
+            "stand_rad": float(data.qpos[model.jnt_qposadr[j]]),
+            "range_rad": model.jnt_range[j].tolist() if model.jnt_limited[j] else None,
+            "torque_limit_Nm": limit if np.isfinite(limit) else None,
+        })  # fmt: skip
+    return {
+        "name": description.name,
+        "base": {"body": mujoco.mj_id2name(model, mujoco.mjtObj.mjOBJ_BODY, root), "joint": description.root_joint},
+        "mass_kg": float(model.body_subtreemass[root]),
+        "com_height_m": height,
+        "T_c_s": float(np.sqrt(height / np.linalg.norm(model.opt.gravity))),
+        "feet": feet,
+        "stand_keyframe": description.stand_keyframe,
+        "roles": roles,
+        "joints": joints,
+    }
+
+
+def _id(model: mujoco.MjModel, kind: str, name: str) -> int:
+    found = mujoco.mj_name2id(model, getattr(mujoco.mjtObj, f"mjOBJ_{kind}"), name)
+    if found < 0:
+        raise ModelError(f"the model has no {kind.lower()} '{name}'")
+    return int(found)
+
+
+def _standing_foot(model: mujoco.MjModel, data: mujoco.MjData, foot: Foot) -> dict[str, Any]:
+    body = _id(model, "BODY", foot.body)
+    centre = data.xpos[body] + data.xmat[body].reshape(3, 3) @ np.asarray(foot.sole_pos)
+    return {
+        "body": foot.body,
+        "sole_site": foot.sole_site,
+        "sole_center_m": centre.tolist(),
+        "length_m": float(foot.length),
+        "width_m": float(foot.width),
+        "leg_joints": list(foot.leg_joints),
+    }

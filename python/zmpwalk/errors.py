@@ -1,0 +1,33 @@
+"""What zmpwalk raises when a caller makes a mistake: a few types under one :class:`Error`.
+
+A physical event, such as a fall or a clamped ZMP, is never an error: it is a flag in the output.
+"""
+
+__all__ = ["DimensionError", "Error", "InputError", "ModelError", "VersionError"]
+
+
+class Error(Exception):
+    """Base of everything that zmpwalk raises on purpose.
+
+    Example:
+        >>> try:
+        ...     zmpwalk.load_robot("marhu")
+        ... except zmpwalk.Error as error:
+        ...     print(error)
+    """
+
+
+class InputError(Error, ValueError):
+    """A value that cannot be: NaN or infinite, out of its range, an unknown name, a file that cannot be read."""
+
+
+class DimensionError(Error, ValueError):
+    """An array of the wrong shape; the message gives both shapes."""
+
+
+class ModelError(Error, ValueError):
+    """A model or a robot description that cannot walk: no free joint, no feet, no motors, names that do not exist."""
+
+
+class VersionError(Error, ImportError):
+    """The installed MuJoCo or NumPy is not one that this copy of zmpwalk can run with; raised by the import."""

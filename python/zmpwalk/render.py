@@ -1,0 +1,317 @@
+"""Pictures and videos of a robot, drawn off screen: no window and no graphics card needed, in every supported MuJoCo.
+
+The OpenGL backend is MUJOCO_GL if that is set ("egl", "osmesa" or "glfw"); otherwise the first of egl, osmesa and,
+with a display, glfw that works.
+"""
+
+from __future__ import annotations
+
+import ctypes.util
+import importlib
+import os
+import sys
+from pathlib import Path
+from typing import Any, Mapping, Sequence, Union
+
+import mujoco
+import numpy as np
+
+from .errors import Error, InputError
+from .simulation import set_state
+from .trace import Trace
+
+__all__ = ["OffScreen", "picture", "snapshot", "video"]
+
+LIBRARIES = {"egl": "EGL", "osmesa": "OSMesa", "glfw": "GL"}
+MARKS = {"com": (0.0, 0.0, 0.0, 1.0), "zmp_est": (0.84, 0.37, 0.0, 1.0)}  # colours as in `plot`
+AZIMUTH, ELEVATION, FILLED = (
+    130.0,
+    -12.0,
+    0.75,
+)  # default view: from ahead and the right [deg], share of the height filled
+
+Camera = Union[None, str, Mapping[str, Any], "mujoco.MjvCamera"]
+
+
+class OffScreen:
+    """A drawing surface for one model; close it (or use `with`) before the program ends.
+
+    Args:
+        model: what to draw.
+        width, height: of the picture [pixels].
+        shadows: draw shadows and reflections: half as fast without a graphics card.
+
+    Raises:
+        Error: no OpenGL backend works here; says what was tried and what to install.
+
+    Usage: `with OffScreen(model, 640, 480) as screen: image = screen.draw(data)`
+    """
+
+    def __init__(self, model: mujoco.MjModel, width: int = 640, height: int = 480, shadows: bool = True):
+        if not (0 < int(width) <= 8192 and 0 < int(height) <= 8192):
+            raise InputError(f"a picture of {width} x {height} pixels: both must be 1 to 8192")
+        self._model, self._width, self._height = model, int(width), int(height)
+        self._gl = _gl_context(self._width, self._height)
+        self._gl.make_current()
+        screen = model.vis.global_
+        kept = screen.offwidth, screen.offheight
+        screen.offwidth, screen.offheight = max(kept[0], self._width), max(kept[1], self._height)
+        try:
+            self._context = mujoco.MjrContext(model, mujoco.mjtFontScale.mjFONTSCALE_100)
+        finally:
+            screen.offwidth, screen.offheight = kept
+        mujoco.mjr_setBuffer(mujoco.mjtFramebuffer.mjFB_OFFSCREEN, self._context)
+        self._scene = mujoco.MjvScene(model, maxgeom=10000)
+        for flag in (mujoco.mjtRndFlag.mjRND_SHADOW, mujoco.mjtRndFlag.mjRND_REFLECTION):
+            self._scene.flags[flag] = shadows
+        self._option = mujoco.MjvOption()
+
+    def draw(self, data: mujoco.MjData, camera: Camera = None, marks: Sequence[dict[str, Any]] = ()) -> np.ndarray:
+        """The scene as it stands in `data`, whose kinematics must be up to date (`mj_forward`).
+
+        Args:
+            data: of the same model.
+            camera: None looks at the robot from ahead and the right; a name is a camera of the model; a dictionary
+                changes the default view: lookat (3) [m], distance [m], azimuth, elevation [deg]; or an MjvCamera.
+            marks: crosses to lay on the ground, each {"pos": (3) [m], "arm": half length [m], "rgba": (4)}.
+
+        Returns:
+            (height, width, 3) uint8, first row on top.
+
+        Raises:
+            InputError: the model has no camera of that name.
+
+        Usage: `image = screen.draw(data, camera={"azimuth": 90})`
+        """
+        self._gl.make_current()
+        view = _camera(self._model, data, camera)
+        mujoco.mjv_updateScene(
+            self._model, data, self._option, None, view, mujoco.mjtCatBit.mjCAT_ALL.value, self._scene
+        )
+        for mark in marks:
+            self._cross(np.asarray(mark["pos"], float), float(mark["arm"]), np.asarray(mark["rgba"], np.float32))
+        viewport = mujoco.MjrRect(0, 0, self._width, self._height)
+        mujoco.mjr_render(viewport, self._scene, self._context)
+        image = np.empty((self._height, self._width, 3), np.uint8)
+        mujoco.mjr_readPixels(image, None, viewport, self._context)
+        return np.flipud(image).copy()
+
+    def _cross(self, centre: np.ndarray, arm: float, rgba: np.ndarray) -> None:
+        """Two thin bars on the ground, longer than a foot, so that a sole on their crossing does not hide them."""
+        for along in (0, 1):
+            if self._scene.ngeom < self._scene.maxgeom:
+                size = np.full(3, 0.012 * arm)
+                size[along] = arm
+                box, upright = mujoco.mjtGeom.mjGEOM_BOX, np.eye(3).ravel()
+                mujoco.mjv_initGeom(self._scene.geoms[self._scene.ngeom], box, size, centre, upright, rgba)
+                self._scene.ngeom += 1
+
+    def close(self) -> None:
+        """Give the surface back; drawing afterwards is an error."""
+        if self._context is not None:
+            self._gl.make_current()
+            self._context.free()
+            self._gl.free()
+            self._context = None
+
+    def __enter__(self) -> OffScreen:
+        return self
+
+    def __exit__(self, *exception: Any) -> None:
+        self.close()
+
+
+def picture(
+    model: mujoco.MjModel,
+    data: mujoco.MjData,
+    width: int = 640,
+    height: int = 480,
+    camera: Camera = None,
+    shadows: bool = True,
+) -> np.ndarray:
+    """One picture of a simulation as it stands.
+
+    Args:
+        model, data: kinematics up to date (`mj_forward`, or any `mj_step` before).
+        width, height: [pixels].
+        camera: see `OffScreen.draw`.
+        shadows: draw shadows and reflections.
+
+    Returns:
+        (height, width, 3) uint8, first row on top.
+
+    Raises:
+        Error: no OpenGL backend works here.  InputError: no such camera.
+
+    Usage: `matplotlib.image.imsave("robot.png", zmpwalk.render.picture(model, data))`
+    """
+    with OffScreen(model, width, height, shadows) as screen:
+        return screen.draw(data, camera)
+
+
+def snapshot(
+    trace: Trace,
+    t: float | None = None,
+    width: int = 640,
+    height: int = 480,
+    camera: Camera = None,
+    show_zmp: bool = True,
+) -> np.ndarray:
+    """The robot of a trace at one instant.
+
+    Args:
+        trace: a walk that carries its model.
+        t: instant [s]; None is the last.
+        width, height: [pixels].
+        camera: see `OffScreen.draw`.
+        show_zmp: mark on the ground the estimated ZMP (red) and the point under the COM (black).
+
+    Returns:
+        (height, width, 3) uint8, first row on top.
+
+    Raises:
+        InputError: `t` is outside the walk.  ModelError: the trace's model cannot be used.  Error: no OpenGL backend
+        works here.
+
+    Usage: `zmpwalk.render.snapshot(trace, t=2.0, camera={"azimuth": 90})`
+    """
+    model, k = trace.model, _row(trace, t)
+    with OffScreen(model, width, height) as screen:
+        return screen.draw(_pose(model, trace, k), camera, _marks(trace, k) if show_zmp else ())
+
+
+def video(
+    trace: Trace,
+    path: str | os.PathLike,
+    fps: int = 25,
+    width: int = 640,
+    height: int = 480,
+    speed: float = 1.0,
+    camera: Camera = None,
+    show_zmp: bool = True,
+    shadows: bool = False,
+) -> Path:
+    """A film of a trace, written whole or not at all.
+
+    Args:
+        trace: a walk that carries its model.
+        path: `.mp4` or `.gif`.
+        fps: pictures per second of the film.
+        width, height: [pixels], even numbers for `.mp4`.
+        speed: 0.5 is slow motion.
+        camera: see `OffScreen.draw`; the default goes with the robot.
+        show_zmp: mark the estimated ZMP (red) and the point under the COM (black) on the ground.
+        shadows: draw shadows and reflections, at half the speed.
+
+    Returns:
+        The path written.
+
+    Raises:
+        ImportError: imageio is not installed.  InputError: `fps` or `speed` not positive.  ModelError, Error: as
+        `snapshot`.
+
+    Usage: `zmpwalk.render.video(trace, "walk.mp4", speed=0.5)`
+    """
+    try:
+        import imageio.v2 as imageio
+    except ImportError:
+        raise ImportError('videos need imageio: pip install "zmpwalk[video]"') from None
+    if not (fps > 0 and speed > 0):
+        raise InputError(f"fps is {fps:g} and speed {speed:g}; both must be positive")
+    path, model = Path(path), trace.model
+    draft = path.with_name(f".{path.stem}.{os.getpid()}{path.suffix}")
+    times = np.arange(trace.t[0], trace.t[-1] + 1e-9, speed / fps)
+    options: dict[str, Any] = (
+        {"duration": 1000.0 / fps, "loop": 0} if path.suffix.lower() == ".gif" else {"fps": fps, "macro_block_size": 2}
+    )
+    try:
+        with OffScreen(model, width, height, shadows) as screen:
+            film: Any = imageio.get_writer(draft, **options)
+            with film:
+                for t in times:
+                    k = _row(trace, t)
+                    marks = _marks(trace, k) if show_zmp else ()
+                    film.append_data(screen.draw(_pose(model, trace, k), camera, marks))
+        os.replace(draft, path)
+    finally:
+        if draft.exists():
+            draft.unlink()
+    return path
+
+
+def _row(trace: Trace, t: float | None) -> int:
+    if t is None:
+        return len(trace.t) - 1
+    if not trace.t[0] - 1e-9 <= t <= trace.t[-1] + trace.control_dt + 1e-9:
+        raise InputError(f"t is {t:g} s; the walk goes from {trace.t[0]:g} to {trace.t[-1]:g} s")
+    return int(np.clip(np.searchsorted(trace.t, t + 1e-9, side="right") - 1, 0, len(trace.t) - 1))
+
+
+def _pose(model: mujoco.MjModel, trace: Trace, k: int) -> mujoco.MjData:
+    data = mujoco.MjData(model)
+    set_state(trace, model, data, k)
+    return data
+
+
+def _marks(trace: Trace, k: int) -> list[dict[str, Any]]:
+    """Crosses where the estimated ZMP and the point under the COM are, on the lower sole's height."""
+    ground, arm = min(trace.foot_left[k, 2], trace.foot_right[k, 2]), 0.28 * trace.com[0, 2]
+    return [
+        {"pos": (*trace[name][k, :2], ground), "arm": arm, "rgba": rgba}
+        for name, rgba in MARKS.items()
+        if np.isfinite(trace[name][k, :2]).all()
+    ]
+
+
+def _camera(model: mujoco.MjModel, data: mujoco.MjData, camera: Camera) -> mujoco.MjvCamera:
+    if isinstance(camera, mujoco.MjvCamera):
+        return camera
+    view = mujoco.MjvCamera()
+    if isinstance(camera, str):
+        view.fixedcamid = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_CAMERA, camera)
+        if view.fixedcamid < 0:
+            names = [mujoco.mj_id2name(model, mujoco.mjtObj.mjOBJ_CAMERA, i) for i in range(model.ncam)]
+            raise InputError(f"no camera '{camera}'; the model has {', '.join(filter(None, names)) or 'none'}")
+        view.type = mujoco.mjtCamera.mjCAMERA_FIXED
+        return view
+    view.type = mujoco.mjtCamera.mjCAMERA_FREE
+    free = np.flatnonzero(model.jnt_type == mujoco.mjtJoint.mjJNT_FREE)
+    heaviest = max(free, key=lambda j: model.body_subtreemass[model.jnt_bodyid[j]]) if len(free) else None
+    body = int(model.jnt_bodyid[heaviest]) if heaviest is not None else 0
+    com = np.array(data.subtree_com[body])
+    view.lookat[:] = com
+    view.azimuth, view.elevation = AZIMUTH, ELEVATION
+    robot_height = 1.9 * max(com[2], 0.1)  # the COM of humanoids is a little above the half
+    view.distance = robot_height / FILLED / 2 / np.tan(np.radians(model.vis.global_.fovy) / 2)
+    for key, value in dict(camera or {}).items():
+        if key not in ("lookat", "distance", "azimuth", "elevation"):
+            raise InputError(f"a camera has no '{key}'; it has lookat, distance, azimuth, elevation")
+        if key == "lookat":
+            view.lookat[:] = value
+        else:
+            setattr(view, key, value)
+    return view
+
+
+def _gl_context(width: int, height: int) -> Any:
+    """A context of the first OpenGL backend that works."""
+    asked = os.environ.get("MUJOCO_GL", "").lower().strip()
+    if asked in LIBRARIES:
+        order = [asked]
+    elif sys.platform.startswith("linux"):
+        order = ["egl", "osmesa"] + (["glfw"] if os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY") else [])
+    else:
+        order = ["glfw"]
+    tried = []
+    for backend in order:
+        if backend != "glfw" and not ctypes.util.find_library(LIBRARIES[backend]):
+            tried.append(f"{backend}: no lib{LIBRARIES[backend]}")
+            continue
+        try:
+            return importlib.import_module(f"mujoco.{backend}").GLContext(width, height)
+        except Exception as error:  # each backend fails in its own way
+            tried.append(f"{backend}: {' '.join(str(error).split())[:100] or type(error).__name__}")
+    raise Error(
+        f"cannot draw off screen ({'; '.join(tried)}): install EGL (Debian: libegl1 libegl-mesa0 libgl1-mesa-dri) or "
+        "OSMesa (libosmesa6), or set MUJOCO_GL=glfw where there is a display"
+    )

@@ -1,0 +1,272 @@
+"""Walking from Python: the controller with its defaults, the recorder, and the closed loop that runs in C++."""
+
+from __future__ import annotations
+
+import hashlib
+import math
+import platform
+from typing import Any, Callable
+
+import mujoco
+import numpy as np
+
+from . import _core
+from .description import Robot, RobotDescription, describe, description_to_dict, load_robot
+from .errors import InputError
+from .profiles import VelocityProfile
+from .trace import Trace, model_bytes, plain
+
+__all__ = ["Recorder", "WalkingController", "simulate"]
+
+Progress = Callable[[float, float], None]
+
+
+class WalkingController(_core.WalkingController):
+    """The walking controller: one `update` per cycle.
+
+    Args:
+        model: MuJoCo's model, of which the robot may be only a part.
+        description: where the feet are; None reads it from the model's own marks (`describe`).
+        settings: gains, bounds and switches; None takes `WalkSettings()`.
+        profile: planned velocity; None takes `VelocityProfile.paper()`.
+
+    Raises:
+        ModelError: the model lacks what the description names, or cannot walk.
+        InputError: a setting or a speed outside what the robot can do; says the limit.
+
+    Usage: `controller = zmpwalk.WalkingController(model); controller.reset(data); out = controller.update(data)`
+    """
+
+    def __init__(
+        self,
+        model: mujoco.MjModel,
+        description: RobotDescription | None = None,
+        settings: _core.WalkSettings | None = None,
+        profile: _core.VelocityProfile | None = None,
+    ):
+        super().__init__(
+            model,
+            describe(model) if description is None else description,
+            settings=_core.WalkSettings() if settings is None else settings,
+            profile=VelocityProfile.paper() if profile is None else profile,
+        )
+        self._model = model
+
+    @property
+    def model(self) -> mujoco.MjModel:
+        """The model that was given."""
+        return self._model
+
+    @property
+    def profile(self) -> VelocityProfile:
+        """The planned velocity."""
+        return VelocityProfile.of(super().profile)
+
+
+class Recorder:
+    """Collects cycles of a loop of your own into a `Trace`.
+
+    Args:
+        controller: the controller whose cycles are recorded.
+        robot: the name that the trace carries; None takes the description's.
+
+    Usage: see `add`.
+    """
+
+    def __init__(self, controller: _core.WalkingController, robot: str | None = None):
+        self._controller = controller
+        self._recorder = _core.Recorder(controller)
+        self._robot = robot
+        self._cause = ""
+
+    def add(self, out: _core.CycleOutput, data: mujoco.MjData) -> None:
+        """Take in one cycle, right after `mj_step`: the contact forces of this cycle exist only then.
+
+        Args:
+            out: what `controller.update(data)` returned before the step.
+            data: the simulator's data after the step.
+
+        Usage: `out = controller.update(data); mujoco.mj_step(model, data); recorder.add(out, data)`
+        """
+        self._recorder.add(out, data)
+        self._cause = self._cause or str(getattr(out, "fall_cause", "") or "")
+
+    def trace(self) -> Trace:
+        """Everything so far.
+
+        Returns:
+            The trace; its `meta["timing"]` is empty, for only `simulate` measures the time of a cycle.
+
+        Usage: `recorder.trace().save("walk.npz")`
+        """
+        columns = self._recorder.columns()
+        fallen = np.flatnonzero(columns["fell"])
+        info = {
+            "fell": bool(len(fallen)),
+            "fall_time": float(columns["t"][fallen[0]]) if len(fallen) else math.nan,
+            "fall_cause": self._cause,
+        }
+        model, meta = _describe_run(self._controller, self._robot, info, source="recorder")
+        return Trace(columns, meta, model)
+
+
+def simulate(
+    robot: Robot = "mahru",
+    profile: _core.VelocityProfile | None = None,
+    duration: float = 8.0,
+    settings: _core.WalkSettings | None = None,
+    on_progress: Progress | None = None,
+    seed: int = 0,
+) -> Trace:
+    """Walk in MuJoCo, wholly in C++, and return the record.
+
+    The robot starts in its description's pose. The run ends after `duration`, or when the robot falls, which is an
+    event and not an error: `trace.meta` says when and why.
+
+    Args:
+        robot: what `load_robot` takes: a name, a path, a model, or (model, description).
+        profile: planned velocity; None takes `VelocityProfile.paper()`.
+        duration: simulated time [s], positive.
+        settings: None takes `WalkSettings()`.
+        on_progress: called about ten times a second with (t, duration) [s]; what it raises stops the run and passes on.
+        seed: kept in the trace; nothing is random yet.
+
+    Returns:
+        The trace, one row per control cycle.
+
+    Raises:
+        InputError: a bad duration, setting or speed.  ModelError: a robot that cannot be used.
+        KeyboardInterrupt: Ctrl-C, within 0.1 s.
+
+    Usage: `trace = zmpwalk.simulate("mahru", profile=VelocityProfile.constant(0.2), duration=10)`
+    """
+    model, description = load_robot(robot)
+    controller = WalkingController(model, description, settings, profile)
+    return run(
+        controller, duration, on_progress, seed, robot if isinstance(robot, str) and robot.isidentifier() else None
+    )
+
+
+def run(
+    controller: _core.WalkingController,
+    duration: float,
+    on_progress: Progress | None = None,
+    seed: int = 0,
+    robot: str | None = None,
+) -> Trace:
+    """`simulate` with a controller that exists already; `robot` is the name that the trace carries.
+
+    Usage: `run(zmpwalk.WalkingController(*zmpwalk.load_robot("mahru")), 8.0)`
+    """
+    duration = check_duration(duration)
+    if isinstance(seed, bool) or not isinstance(seed, (int, np.integer)):
+        raise InputError(f"seed is {seed!r}; it must be an integer")
+    # Always with a callback: running Python now and then is what lets Ctrl-C through.
+    columns, info = _core.simulate(controller, duration, on_progress or (lambda t, duration: None))
+    model, meta = _describe_run(controller, robot, info, source="simulate", seed=int(seed), requested_duration=duration)
+    return Trace(columns, meta, model)
+
+
+def check_duration(duration: float) -> float:
+    """`duration` [s] if it is one.
+
+    Raises:
+        InputError: not a positive, finite number.
+    """
+    try:
+        duration = float(duration)
+    except (TypeError, ValueError):
+        raise InputError(f"duration is {duration!r}; it must be a number of seconds") from None
+    if not (math.isfinite(duration) and duration > 0):
+        raise InputError(f"duration is {duration:g} s; it must be positive and finite")
+    return duration
+
+
+def rerun(trace: Trace, on_progress: Progress | None = None) -> Trace:
+    """See `Trace.rerun`: the same loop from the trace's own model, description, settings and profile."""
+    model = trace.model
+    controller = WalkingController(model, trace.description, trace.settings, trace.profile)
+    robot = trace.meta.get("robot")
+    if trace.meta.get("source") != "recorder":
+        return run(controller, trace.meta["requested_duration"], on_progress, trace.meta.get("seed", 0), robot)
+    data = mujoco.MjData(model)
+    set_state(trace, model, data, 0)
+    data.time = trace.t[0]
+    controller.reset(data)
+    recorder = Recorder(controller, robot)
+    for k in range(len(trace.t)):
+        out = controller.update(data)
+        for _ in range(max(1, round(trace.control_dt / model.opt.timestep))):
+            mujoco.mj_step(model, data)
+        recorder.add(out, data)
+        if on_progress and k % 100 == 0:
+            on_progress(data.time - trace.t[0], trace.duration)
+    return recorder.trace()
+
+
+def set_state(trace: Trace, model: mujoco.MjModel, data: mujoco.MjData, k: int) -> None:
+    """Put the robot of row `k` into `data`, by name, whatever else is in the scene; then `mj_forward`."""
+    root = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_JOINT, trace.meta["description"]["root_joint"])
+    q, v = int(model.jnt_qposadr[root]), int(model.jnt_dofadr[root])
+    data.qpos[q : q + trace.qpos.shape[1]] = trace.qpos[k]
+    data.qvel[v : v + trace.qvel.shape[1]] = trace.qvel[k]
+    mujoco.mj_forward(model, data)
+
+
+def _describe_run(
+    controller: _core.WalkingController, robot: str | None, info: dict[str, Any], source: str, **more: Any
+) -> tuple[bytes, dict[str, Any]]:
+    """The compiled model's bytes and the meta data of a trace."""
+    model, settings = controller.model, controller.settings
+    compiled = model_bytes(model)
+    control_dt = float(settings.control_dt)
+    fell = bool(info["fell"])
+    meta = {
+        "robot": robot or controller.description.name,
+        "source": source,
+        "seed": 0,
+        **more,
+        "settings": settings.to_dict(),
+        "description": description_to_dict(controller.description),
+        "profile": VelocityProfile.of(controller.profile).to_dict(),
+        "versions": _versions(),
+        "model_sha256": hashlib.sha256(compiled).hexdigest(),
+        "timestep": model.opt.timestep,
+        "control_dt": control_dt,
+        "joint_names": list(controller.joint_names),
+        "torque_limits": np.asarray(controller.torque_limit),
+        "fell": fell,
+        "fall_time": float(info["fall_time"]) if fell else None,
+        "fall_cause": str(info["fall_cause"] or "") if fell else "",
+        "timing": _timing(info, control_dt),
+    }
+    return compiled, plain(meta)
+
+
+def _versions() -> dict[str, str]:
+    from . import __version__
+
+    return {
+        "zmpwalk": __version__,
+        "mujoco": mujoco.__version__,
+        "numpy": np.__version__,
+        "python": platform.python_version(),
+        "machine": platform.machine(),
+    }
+
+
+def _timing(info: dict[str, Any], control_dt: float) -> dict[str, Any]:
+    cycle_us = np.asarray(info.get("cycle_us", ()), float)
+    if not len(cycle_us):
+        return {}
+    wall_time = float(info["wall_time"])
+    return {
+        "cycle_us": {
+            "median": np.median(cycle_us),
+            "p99": np.percentile(cycle_us, 99),
+            "mean": cycle_us.mean(),
+            "max": cycle_us.max(),
+        },
+        "wall_time": wall_time,
+        "real_time_factor": len(cycle_us) * control_dt / wall_time if wall_time > 0 else None,
+    }

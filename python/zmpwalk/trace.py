@@ -1,0 +1,494 @@
+"""Trace: everything a walk did, cycle by cycle, in one value that can be saved, replotted and run again."""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import json
+import math
+import os
+import zipfile
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Callable, Iterator, Mapping
+
+import mujoco
+import numpy as np
+
+from .errors import DimensionError, Error, InputError, ModelError
+
+if TYPE_CHECKING:
+    from ._core import RobotDescription, WalkSettings
+    from .profiles import VelocityProfile
+
+__all__ = ["FORMAT_VERSION", "Trace"]
+
+FORMAT_VERSION = 1
+
+AXES = {2: "xy", 3: "xyz", 7: ("x", "y", "z", "qw", "qx", "qy", "qz")}
+PLANAR = ("v_plan", "v_des", "v_error_integral", "foothold")  # (x, y, yaw)
+WRENCHES = ("f_c", "contact_wrench")
+
+
+class Trace(Mapping):
+    """The record of a walk: a mapping of column names to arrays, each also an attribute.
+
+    Row k is the state before step k and what was decided there. SI, world frame (z up), quaternions (w, x, y, z);
+    velocities and their integral are in the heading frame. Columns are read-only float arrays (T,) or (T, n):
+
+    - `t` [s]; `com`, `dcom`, `com_des`, `dcom_des` (3) [m, m/s]; `qpos` (nv + 1), `qvel` (nv): the robot's own part
+    - `v_plan`, `v_des`, `v_error_integral` (3: x, y, yaw) [m/s, rad/s; m, rad]
+    - `zmp_des`, `zmp_ref`, `zmp_est`, `zmp_meas`, `zmp_lower`, `zmp_upper` (2) [m]; NaN where there is no contact
+    - `zmp_first`, `zmp_slope` (2): estimate of the iteration's first pass [m] and d zmp_est / d zmp_ref;
+      `zmp_modified` (2): 0 kept, -1 at the lower bound, +1 at the upper; `iterations`
+    - `phase` (0 double support, 1 single), `support` (+1 left, -1 right), `step`, `phase_time` [s], `w_T` [m/s] (18)
+    - `foot_left`, `foot_right` (7: position, quaternion of the sole's frame); `foothold` (x, y, yaw), NaN in double
+      support
+    - `tau` (nu, in the order of `meta["joint_names"]`) [N m], `torque_ratio`: largest |tau| / limit; `joint_margin`: to
+      the nearest joint limit [rad]; `self_contacts`: how many; `saturated`, `damped`, `fell` (0/1)
+    - `f_c`, `contact_wrench` (12: left force, left moment, right force, right moment at the sole centres, world axes,
+      both the robot on the ground, so f_z < 0) [N, N m], NaN where a foot is not in contact
+
+    `meta` tells what was run: settings, description, profile, versions, model hash, seed, limits, fall, timing.
+
+    Args:
+        columns: name -> (T,) or (T, n); must include `t`.
+        meta: plain dictionaries, lists, strings, numbers.
+        model: bytes of the compiled model (`mj_saveModel`), so that `rerun` works; None if unknown.
+
+    Raises:
+        InputError: no column `t`.  DimensionError: columns of different length.
+
+    Usage: `trace = zmpwalk.simulate("mahru"); trace.com[:, 0]; trace["zmp_est"]; trace.summary()`
+    """
+
+    def __init__(self, columns: Mapping[str, Any], meta: dict[str, Any] | None = None, model: bytes | None = None):
+        if "t" not in columns:
+            raise InputError(f"a trace needs the column 't'; it has {', '.join(columns) or 'none'}")
+        self._columns: dict[str, np.ndarray] = {}
+        for name, values in columns.items():
+            array = np.array(values, dtype=float)
+            if array.ndim not in (1, 2) or len(array) != len(columns["t"]):
+                raise DimensionError(f"column '{name}' has shape {array.shape}; 't' has {len(columns['t'])} rows")
+            array.flags.writeable = False
+            self._columns[name] = array
+        self.meta: dict[str, Any] = {"format_version": FORMAT_VERSION, **plain(meta or {})}
+        self._model = model
+
+    # --- a mapping with attributes
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        return self._columns[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._columns)
+
+    def __len__(self) -> int:
+        return len(self._columns)
+
+    def __getattr__(self, name: str) -> np.ndarray:
+        columns = self.__dict__.get("_columns", {})
+        if name in columns:
+            return columns[name]
+        raise AttributeError(f"a trace has no '{name}'; columns are {', '.join(columns)}")
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self._columns]
+
+    def __repr__(self) -> str:
+        end = f"fell at {self.meta['fall_time']:.2f} s" if self.meta.get("fall_time") is not None else "stood"
+        return f"Trace({self.meta.get('robot', 'robot')}, {self.duration:g} s, {len(self.t)} cycles, {end})"
+
+    def identical(self, other: Trace) -> bool:
+        """Whether two traces hold the same columns, bit for bit (NaN equals NaN).
+
+        Timing and other meta data are not compared: they differ between machines.
+
+        Usage: `assert trace.identical(trace.rerun())`
+        """
+        return set(self) == set(other) and all(
+            self[name].shape == other[name].shape and np.array_equal(self[name], other[name], equal_nan=True)
+            for name in self
+        )
+
+    def __eq__(self, other: object) -> bool:
+        return self.identical(other) if isinstance(other, Trace) else NotImplemented
+
+    __hash__ = None  # type: ignore[assignment]
+
+    # --- what was run
+
+    @property
+    def control_dt(self) -> float:
+        """Time between rows [s]."""
+        known = float(self.meta.get("control_dt") or math.nan)
+        if math.isfinite(known):
+            return known
+        return float(np.median(np.diff(self.t))) if len(self.t) > 1 else 0.0
+
+    @property
+    def duration(self) -> float:
+        """Simulated time that the rows cover [s]."""
+        return round(float(self.t[-1] - self.t[0]) + self.control_dt, 9) if len(self.t) else 0.0
+
+    @property
+    def step_period(self) -> float:
+        """T_ss + T_ds [s]; from the touch-downs where the settings leave it to the robot, NaN if there are not two."""
+        settings = self.meta.get("settings", {})
+        period = float(settings.get("T_ss", math.nan)) + float(settings.get("T_ds", math.nan))
+        if math.isfinite(period):
+            return period
+        touch_downs = self.t[1:][(self.phase[:-1] == 1) & (self.phase[1:] == 0)]
+        return float(np.median(np.diff(touch_downs))) if len(touch_downs) > 1 else math.nan
+
+    @property
+    def profile(self) -> VelocityProfile:
+        """The velocity profile that was walked."""
+        from .profiles import VelocityProfile
+
+        return VelocityProfile.from_dict(self._meta("profile"))
+
+    @property
+    def settings(self) -> WalkSettings:
+        """The settings that were used."""
+        from ._core import WalkSettings
+
+        return WalkSettings(**self._meta("settings"))
+
+    @property
+    def description(self) -> RobotDescription:
+        """The robot's description."""
+        from .description import description_from_dict
+
+        return description_from_dict(self._meta("description"), "the trace's description")
+
+    @property
+    def model(self) -> mujoco.MjModel:
+        """The model that was simulated, from the bytes inside the trace.
+
+        Raises:
+            ModelError: the trace has no model, or one of another MuJoCo version (compiled models are only good for
+            their own).
+        """
+        if self._model is None:
+            raise ModelError("this trace carries no model: it can be plotted but not run again")
+        made_by = self.meta.get("versions", {}).get("mujoco")
+        if made_by != mujoco.__version__:
+            raise ModelError(
+                f"this trace was made by MuJoCo {made_by}, whose compiled model MuJoCo {mujoco.__version__} cannot read"
+            )
+        if hashlib.sha256(self._model).hexdigest() != self.meta.get("model_sha256"):
+            raise ModelError("the model inside this trace is damaged: its hash is not the recorded one")
+        return mujoco.MjModel.from_binary_path("trace.mjb", {"trace.mjb": self._model})
+
+    def _meta(self, key: str) -> dict[str, Any]:
+        if key not in self.meta:
+            raise InputError(f"this trace does not say its {key}")
+        return self.meta[key]
+
+    def rerun(self, on_progress: Callable[[float, float], None] | None = None) -> Trace:
+        """Walk again what this trace recorded, from nothing but the trace.
+
+        Args:
+            on_progress: called with (t, duration) [s] now and then; may raise to stop.
+
+        Returns:
+            A new trace: `identical` to this one, on the same machine, if nobody touched the robot meanwhile.
+
+        Raises:
+            ModelError: the model is missing, damaged or of another MuJoCo version.
+
+        Usage: `Trace.load("trace.npz").rerun().summary()`
+        """
+        from .simulation import rerun
+
+        return rerun(self, on_progress)
+
+    # --- files
+
+    def save(self, path: str | os.PathLike) -> Path:
+        """Write everything into one `.npz` file, whole or not at all.
+
+        The file holds each column as `<name>.npy`, `meta.json` and, compressed, the compiled model.
+
+        Args:
+            path: the file; `.npz` is added if there is no suffix.
+
+        Returns:
+            The path written.
+
+        Raises:
+            OSError: the folder does not exist or cannot be written.
+
+        Usage: `trace.save("out/trace.npz")`
+        """
+        path = Path(path)
+        path = path if path.suffix else path.with_suffix(".npz")
+        draft = path.with_name(f".{path.name}.{os.getpid()}")
+        try:
+            with zipfile.ZipFile(draft, "w") as file:
+                for name, array in self._columns.items():
+                    with file.open(zipfile.ZipInfo(f"{name}.npy"), "w", force_zip64=True) as entry:
+                        np.lib.format.write_array(entry, array, allow_pickle=False)
+                file.writestr(zipfile.ZipInfo("meta.json"), json.dumps(self.meta, indent=1))
+                if self._model is not None:
+                    file.writestr(zipfile.ZipInfo("model.mjb"), self._model, zipfile.ZIP_DEFLATED)
+            os.replace(draft, path)
+        finally:
+            if draft.exists():
+                draft.unlink()
+        return path
+
+    @classmethod
+    def load(cls, path: str | os.PathLike) -> Trace:
+        """Read what `save` wrote.
+
+        Raises:
+            InputError: no such file, not a trace, damaged, or of a newer format.
+
+        Usage: `trace = Trace.load("out/mahru-default/trace.npz")`
+        """
+        path = Path(path)
+        try:
+            with zipfile.ZipFile(path) as file:
+                names = file.namelist()
+                if "meta.json" not in names or "t.npy" not in names:
+                    raise InputError(f"{path}: not a trace that zmpwalk saved")
+                meta = json.loads(file.read("meta.json").decode())
+                version = meta.get("format_version")
+                if not isinstance(version, int) or version > FORMAT_VERSION:
+                    raise InputError(f"{path}: trace format {version}; this zmpwalk reads up to {FORMAT_VERSION}")
+                columns = {
+                    name[:-4]: np.lib.format.read_array(io.BytesIO(file.read(name)), allow_pickle=False)
+                    for name in names
+                    if name.endswith(".npy")
+                }
+                model = file.read("model.mjb") if "model.mjb" in names else None
+        except OSError as error:
+            raise InputError(f"{path}: {(error.strerror or str(error)).lower()}") from None
+        except Error:
+            raise
+        except Exception as error:  # zipfile, zlib, json and numpy each have their own way to say it
+            raise InputError(f"{path}: not a trace, or damaged: {error}") from None
+        return cls(columns, meta, model)
+
+    def to_csv(self, path: str | os.PathLike) -> Path:
+        """Write the columns as one table, seventeen digits so that nothing is lost, whole or not at all.
+
+        Args:
+            path: the file; the header names are those of `flat`.
+
+        Raises:
+            OSError: the folder does not exist or cannot be written.
+
+        Usage: `trace.to_csv("walk.csv")`
+        """
+        path, flat = Path(path), self.flat()
+        draft = path.with_name(f".{path.name}.{os.getpid()}")
+        try:
+            np.savetxt(
+                draft,
+                np.column_stack(list(flat.values())),
+                "%.17g",
+                ",",
+                header=",".join(flat),
+                comments="",
+                encoding="utf-8",
+            )
+            os.replace(draft, path)
+        finally:
+            if draft.exists():
+                draft.unlink()
+        return path
+
+    def to_dataframe(self) -> Any:
+        """The columns as a pandas table with one number per cell, indexed by `t`.
+
+        Raises:
+            ImportError: pandas is not installed.
+
+        Usage: `trace.to_dataframe()[["com_x", "zmp_est_x"]].plot()`
+        """
+        try:
+            import pandas
+        except ImportError:
+            raise ImportError("to_dataframe needs pandas: pip install pandas (or use trace.to_csv)") from None
+        return pandas.DataFrame(self.flat()).set_index("t")
+
+    def flat(self) -> dict[str, np.ndarray]:
+        """The columns cut into single numbers per row.
+
+        Returns:
+            name -> (T,): `com_x`, `foot_left_qw`, `v_plan_yaw`, `f_c_right_fz`, `tau_<joint>`, `qpos_0`, ...
+
+        Usage: `trace.flat()["zmp_est_x"]`
+        """
+        out: dict[str, np.ndarray] = {"t": self.t}
+        for name, array in self.items():
+            if array.ndim == 1:
+                out[name] = array
+            else:
+                out.update((f"{name}_{part}", array[:, i]) for i, part in enumerate(self._parts(name, array.shape[1])))
+        return out
+
+    def _parts(self, name: str, width: int) -> list[str]:
+        joints = self.meta.get("joint_names", [])
+        if name == "tau" and len(joints) == width:
+            return joints
+        if name in WRENCHES and width == 12:
+            return [f"{side}_{part}" for side in ("left", "right") for part in ("fx", "fy", "fz", "mx", "my", "mz")]
+        if name in PLANAR and width == 3:
+            return ["x", "y", "yaw"]
+        return (
+            list(AXES.get(width, ()))
+            if name not in ("qpos", "qvel", "tau") and width in AXES
+            else [str(i) for i in range(width)]
+        )
+
+    # --- what came of it
+
+    def summary(self) -> dict[str, Any]:
+        """The walk in a few numbers.
+
+        Returns:
+            robot, mujoco_version, duration [s], fell, fall_time [s], fall_cause, step_count (touch-downs);
+            mean_speed_per_step, planned_speed_per_step [m/s]: forward, over each whole step period T = T_ss + T_ds
+            from the start, the COM's displacement in the planned heading over T, and the profile's; speed_rms_error
+            [m/s]: of the COM's forward velocity about the plan, over all cycles; step_period [s];
+            zmp_error_mm: |estimated - measured ZMP|, each [x, y]: median, p95 over all cycles, single_support_p95,
+                single_support_rms;
+            bound_excess_mm: farthest that the estimate went beyond the designed bounds in single support, [x, y];
+            iterations: mean, max over the cycles whose ZMP was modified; modified_cycles; peak_torque_ratio;
+            cycle_us: median, p99 of the controller's time per cycle; real_time_factor.
+            Plain numbers that JSON can hold: what is not known is None.
+
+        Usage: `print(trace.summary()["zmp_error_mm"])`
+        """
+        meta, timing = self.meta, self.meta.get("timing") or {}
+        mean_speed, planned_speed = self._speed_per_step()
+        single = self.phase == 1
+        error = 1e3 * np.abs(self.zmp_est - self.zmp_meas)
+        excess = 1e3 * np.maximum(self.zmp_est - self.zmp_upper, self.zmp_lower - self.zmp_est)[single]
+        modified = (self.zmp_modified != 0).any(axis=1)
+        summary = {
+            "robot": meta.get("robot"),
+            "mujoco_version": meta.get("versions", {}).get("mujoco"),
+            "zmpwalk_version": meta.get("versions", {}).get("zmpwalk"),
+            "law": meta.get("settings", {}).get("law"),
+            "duration": self.duration,
+            "fell": bool(meta.get("fell", self.fell.any())),
+            "fall_time": meta.get("fall_time"),
+            "fall_cause": meta.get("fall_cause") or None,
+            "step_count": int(((self.phase[:-1] == 1) & (self.phase[1:] == 0)).sum()),
+            "mean_speed_per_step": mean_speed,
+            "planned_speed_per_step": planned_speed,
+            "step_period": self.step_period,
+            "speed_rms_error": _rms(self.forward_velocity() - self.v_plan[:, 0]),
+            "zmp_error_mm": {
+                "median": _percentile(error, 50),
+                "p95": _percentile(error, 95),
+                "single_support_p95": _percentile(error[single], 95),
+                "single_support_rms": [_rms(error[single, axis]) for axis in (0, 1)],
+            },
+            "bound_excess_mm": [float(np.nanmax(np.append(excess[:, axis], 0.0))) for axis in (0, 1)],
+            "iterations": {
+                "mean": self.iterations[modified].mean() if modified.any() else None,
+                "max": int(self.iterations[modified].max()) if modified.any() else None,
+            },
+            "modified_cycles": int(modified.sum()),
+            "peak_torque_ratio": np.nanmax(self.torque_ratio) if np.isfinite(self.torque_ratio).any() else None,
+            "cycle_us": {key: (timing.get("cycle_us") or {}).get(key) for key in ("median", "p99")},
+            "real_time_factor": timing.get("real_time_factor"),
+        }
+        return plain(summary, finite=True)
+
+    def forward_velocity(self) -> np.ndarray:
+        """Velocity of the COM along the planned heading, to compare with the first of `v_plan` and `v_des`.
+
+        Returns:
+            (T,) [m/s].
+
+        Usage: `trace.forward_velocity() - trace.v_plan[:, 0]`
+        """
+        along, across = self._heading_axes()
+        return self.dcom[:, 0] * along + self.dcom[:, 1] * across
+
+    def _heading_axes(self) -> Any:
+        """Cosine and sine (T,) of the planned heading: the feet's at the start, turned by the planned turning rate."""
+        quaternions = (self.foot_left[0, 3:], self.foot_right[0, 3:]) if len(self.t) else ()
+        yaws = [math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z)) for w, x, y, z in quaternions]
+        start = math.atan2(sum(map(math.sin, yaws)), sum(map(math.cos, yaws)))
+        turned = self.control_dt * np.concatenate([[0.0], np.cumsum(self.v_plan[:-1, 2])])
+        return np.cos(start + turned), np.sin(start + turned)
+
+    def _speed_per_step(self) -> Any:
+        """Mean forward speed and plan [m/s] over each whole step period."""
+        period, dt, count = self.step_period, self.control_dt, len(self.t)
+        if count < 2 or not math.isfinite(period):
+            return [], []
+        last = self.com[-1] + dt * self.dcom[-1]  # the state after the last row
+        moved = np.diff(np.vstack([self.com, last])[:, :2], axis=0)
+        along, across = self._heading_axes()
+        travelled = np.concatenate([[0.0], np.cumsum(moved[:, 0] * along + moved[:, 1] * across)])
+        windows = int((count * dt + 1e-9) / period)
+        edges = np.rint(period / dt * np.arange(windows + 1)).astype(int)
+        speed = np.diff(travelled[edges]) / (dt * np.diff(edges))
+        if "profile" in self.meta:
+            profile = self.profile
+            plan = [profile.displacement(period * k, period * (k + 1))[0] / period for k in range(windows)]
+        else:
+            plan = [self.v_plan[a:b, 0].mean() for a, b in zip(edges[:-1], edges[1:])]
+        return speed.tolist(), plan
+
+    def plot(self, figure: str = "all", **options: Any) -> Any:
+        """Draw one of the paper's figures, or all.
+
+        Args:
+            figure: "iteration", "tracking", "switch", "velocity", "sagittal", "lateral" (Figs. 2, 4 to 8) or "all".
+            options: passed to that function of `zmpwalk.plot`.
+
+        Returns:
+            A matplotlib Figure, which a notebook shows; for "all" a dictionary of them.
+
+        Raises:
+            InputError: no figure of that name.
+
+        Usage: `trace.plot("sagittal", start=2, end=6)`
+        """
+        from . import plot
+
+        if figure == "all":
+            return {name: draw(self, **options) for name, draw in plot.FIGURES.items()}
+        return plot.figure_function(figure)(self, **options)
+
+
+def model_bytes(model: mujoco.MjModel) -> bytes:
+    """The compiled model as MuJoCo writes it: its hash names it, and `Trace.model` reads it."""
+    buffer = np.zeros(mujoco.mj_sizeModel(model), np.uint8)
+    mujoco.mj_saveModel(model, None, buffer)
+    return buffer.tobytes()
+
+
+def plain(value: Any, finite: bool = False) -> Any:
+    """Dictionaries, lists, strings, numbers and None only; with `finite`, NaN and infinity become None."""
+    if isinstance(value, Mapping):
+        return {str(key): plain(item, finite) for key, item in value.items()}
+    if isinstance(value, np.ndarray):
+        return plain(value.tolist(), finite)
+    if isinstance(value, (list, tuple)):
+        return [plain(item, finite) for item in value]
+    if isinstance(value, np.generic):
+        value = value.item()
+    if finite and isinstance(value, float) and not math.isfinite(value):
+        return None
+    return value if value is None or isinstance(value, (bool, int, float, str)) else str(value)
+
+
+def _rms(values: np.ndarray) -> float | None:
+    values = values[np.isfinite(values)]
+    return float(np.sqrt(np.mean(values**2))) if len(values) else None
+
+
+def _percentile(values: np.ndarray, percent: float) -> list[float | None]:
+    """[x, y] over the rows where there is a number."""
+    columns = (values[np.isfinite(values[:, axis]), axis] for axis in (0, 1))
+    return [float(np.percentile(column, percent)) if len(column) else None for column in columns]

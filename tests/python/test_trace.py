@@ -1,0 +1,294 @@
+"""Traces: a mapping, a file, a summary; and runs that repeat themselves."""
+
+import json
+import pickle
+import sys
+
+import mujoco
+import numpy as np
+import pytest
+import zmpwalk
+from zmpwalk import DimensionError, InputError, ModelError, Trace
+
+# --- a mapping with attributes
+
+
+def test_columns_are_items_and_attributes_and_read_only(made_up_trace, made_up_columns):
+    assert set(made_up_trace) == set(made_up_columns)
+    assert made_up_trace["com"] is made_up_trace.com
+    assert made_up_trace.com.shape == (8000, 3)
+    assert "zmp_est" in dir(made_up_trace)
+    with pytest.raises(ValueError, match="read-only"):
+        made_up_trace.com[0, 0] = 1.0
+
+
+def test_unknown_column_names_those_that_exist(made_up_trace):
+    with pytest.raises(AttributeError, match=r"no 'zmp'; columns are .*zmp_est"):
+        _ = made_up_trace.zmp
+    with pytest.raises(KeyError):
+        made_up_trace["zmp"]
+
+
+def test_columns_of_different_length_are_refused():
+    with pytest.raises(DimensionError, match=r"'com' has shape \(3, 3\); 't' has 4 rows"):
+        Trace({"t": np.zeros(4), "com": np.zeros((3, 3))})
+    with pytest.raises(InputError, match="needs the column 't'"):
+        Trace({"com": np.zeros((3, 3))})
+
+
+def test_trace_does_not_follow_the_arrays_it_was_made_from():
+    t = np.arange(3.0)
+    trace = Trace({"t": t})
+    t[0] = 7.0
+    assert trace.t[0] == 0.0
+
+
+def test_traces_are_equal_bit_for_bit_and_not_by_their_timing(made_up, made_up_columns, made_up_trace):
+    assert made_up_trace == Trace(made_up_columns, made_up.meta(timing={"wall_time": 99.0}))
+    com = made_up_columns["com"].copy()
+    com[5, 1] = np.nextafter(com[5, 1], 1.0)
+    assert made_up_trace != made_up.changed(made_up_columns, com=com)
+    assert made_up_trace != Trace({name: array for name, array in made_up_columns.items() if name != "tau"})
+
+
+def test_trace_pickles(made_up_trace):
+    other = pickle.loads(pickle.dumps(made_up_trace))
+    assert other == made_up_trace
+    assert other.meta == made_up_trace.meta
+
+
+# --- files
+
+
+def test_saved_trace_loads_the_same(made_up_trace, tmp_path):
+    path = made_up_trace.save(tmp_path / "walk")
+    assert path.name == "walk.npz"
+    loaded = Trace.load(path)
+    assert loaded == made_up_trace
+    assert loaded.meta == made_up_trace.meta
+    assert not loaded.com.flags.writeable
+    with np.load(path) as file:  # and NumPy alone can read it
+        assert np.array_equal(file["com"], made_up_trace.com)
+
+
+def test_infinite_limits_survive_the_file(made_up, made_up_columns, tmp_path):
+    trace = Trace(made_up_columns, made_up.meta(torque_limits=[np.inf, 80.0]))
+    assert Trace.load(trace.save(tmp_path / "walk.npz")).meta["torque_limits"] == [np.inf, 80.0]
+
+
+def test_failed_save_leaves_the_old_file_and_no_draft(made_up_trace, tmp_path, monkeypatch):
+    path = tmp_path / "walk.npz"
+    path.write_text("old")
+
+    def full_disk(*arguments, **options):
+        raise OSError("no space left")
+
+    monkeypatch.setattr(np.lib.format, "write_array", full_disk)
+    with pytest.raises(OSError, match="no space"):
+        made_up_trace.save(path)
+    assert [file.name for file in tmp_path.iterdir()] == ["walk.npz"]
+    assert path.read_text() == "old"
+
+
+def test_files_that_are_no_traces_are_named(made_up_trace, tmp_path):
+    with pytest.raises(InputError, match=r"nowhere\.npz: no such file"):
+        Trace.load(tmp_path / "nowhere.npz")
+    (tmp_path / "text.npz").write_text("hello")
+    with pytest.raises(InputError, match=r"text\.npz: not a trace"):
+        Trace.load(tmp_path / "text.npz")
+    np.savez(tmp_path / "other.npz", a=np.zeros(3))
+    with pytest.raises(InputError, match=r"other\.npz: not a trace"):
+        Trace.load(tmp_path / "other.npz")
+    whole = made_up_trace.save(tmp_path / "whole.npz").read_bytes()
+    (tmp_path / "half.npz").write_bytes(whole[: len(whole) // 2])
+    with pytest.raises(InputError, match=r"half\.npz: not a trace, or damaged"):
+        Trace.load(tmp_path / "half.npz")
+    made_up_trace.meta["format_version"] = 99
+    with pytest.raises(InputError, match="trace format 99"):
+        Trace.load(made_up_trace.save(tmp_path / "new.npz"))
+
+
+def test_csv_loses_nothing(made_up, made_up_columns, tmp_path):
+    trace = Trace({name: array[::500] for name, array in made_up_columns.items()}, made_up.meta())
+    path = trace.to_csv(tmp_path / "walk.csv")
+    names = path.read_text().splitlines()[0].split(",")
+    assert names[0] == "t"
+    table = np.genfromtxt(path, delimiter=",", skip_header=1)
+    for name, column in trace.flat().items():
+        assert np.array_equal(table[:, names.index(name)], column, equal_nan=True)
+
+
+def test_flat_names_tell_part_and_joint(made_up, made_up_columns):
+    joints = [f"joint{i}" for i in range(25)]
+    flat = Trace(made_up_columns, made_up.meta(joint_names=joints)).flat()
+    for name in ("com_x", "v_plan_yaw", "foot_left_qw", "contact_wrench_right_fz", "tau_joint24", "qpos_31", "phase"):
+        assert name in flat
+    standing = flat["contact_wrench_left_fz"] + flat["contact_wrench_right_fz"]
+    assert np.nanmax(standing) == pytest.approx(-made_up.MASS * 9.81)
+
+
+def test_dataframe_is_indexed_by_time(made_up_trace):
+    pytest.importorskip("pandas")
+    table = made_up_trace.to_dataframe()
+    assert table.index.name == "t"
+    assert np.array_equal(table["zmp_est_y"], made_up_trace.zmp_est[:, 1])
+
+
+def test_dataframe_without_pandas_says_what_to_install(made_up_trace, monkeypatch):
+    monkeypatch.setitem(sys.modules, "pandas", None)
+    with pytest.raises(ImportError, match="pip install pandas"):
+        made_up_trace.to_dataframe()
+
+
+# --- summary
+
+
+def test_summary_has_the_keys_that_others_script_against(made_up_trace):
+    summary = json.loads(json.dumps(made_up_trace.summary(), allow_nan=False))
+    assert set(summary) >= {
+        "robot", "mujoco_version", "duration", "fell", "fall_time", "fall_cause", "step_count", "mean_speed_per_step",
+        "planned_speed_per_step", "speed_rms_error", "zmp_error_mm", "iterations", "peak_torque_ratio", "cycle_us",
+        "real_time_factor", "bound_excess_mm",
+    }  # fmt: skip
+    assert set(summary["zmp_error_mm"]) == {"median", "p95", "single_support_p95", "single_support_rms"}
+    assert all(len(pair) == 2 for pair in summary["zmp_error_mm"].values())
+    assert set(summary["iterations"]) == {"mean", "max"}
+    assert set(summary["cycle_us"]) == {"median", "p99"}
+
+
+def test_summary_of_the_made_up_walk_is_what_was_made_up(made_up, made_up_trace):
+    summary = made_up_trace.summary()
+    assert summary["duration"] == 8.0
+    assert summary["step_count"] == 9  # touch-downs at 0.82, 1.62, ... 7.22
+    assert summary["planned_speed_per_step"] == pytest.approx([*made_up.PAPER[1], *[0.25] * 6])
+    com, last = made_up_trace.com[:, 0], made_up_trace.com[-1, 0] + 0.001 * made_up_trace.dcom[-1, 0]
+    assert summary["mean_speed_per_step"] == pytest.approx(np.diff([*com[::800], last]) / 0.8)
+    assert summary["zmp_error_mm"]["median"] == pytest.approx([0.005, 0.005])
+    assert summary["zmp_error_mm"]["single_support_rms"] == pytest.approx([0.005, 0.005])
+    assert summary["bound_excess_mm"][0] == pytest.approx(0.2, abs=0.01)  # the made-up estimate wanders by 0.2 mm
+    assert summary["bound_excess_mm"][1] == 0.0
+    assert summary["iterations"] == {"mean": 3.0, "max": 3}
+    assert summary["peak_torque_ratio"] == pytest.approx(0.6, abs=1e-3)
+    assert (summary["fell"], summary["fall_time"], summary["fall_cause"]) == (False, None, None)
+
+
+def test_speed_is_measured_along_the_heading(made_up, made_up_columns, made_up_trace):
+    turned, quarter = {}, np.array([[0.0, -1.0], [1.0, 0.0]])
+    for name in ("com", "dcom"):
+        turned[name] = made_up_columns[name].copy()
+        turned[name][:, :2] = made_up_columns[name][:, :2] @ quarter.T
+    for name in ("foot_left", "foot_right"):
+        turned[name] = made_up_columns[name].copy()
+        turned[name][:, 3:] = np.sqrt(0.5), 0.0, 0.0, np.sqrt(0.5)
+    summary = made_up.changed(made_up_columns, **turned).summary()
+    assert summary["mean_speed_per_step"] == pytest.approx(made_up_trace.summary()["mean_speed_per_step"])
+    assert summary["speed_rms_error"] == pytest.approx(made_up_trace.summary()["speed_rms_error"])
+
+
+def test_speed_of_walking_in_a_circle_is_the_planned_one(made_up):
+    t, rate, radius = 0.001 * np.arange(8000), 0.5, 0.4
+    columns = made_up.columns()
+    columns["v_plan"][:] = radius * rate, 0.0, rate
+    columns["com"][:, :2] = radius * np.column_stack([np.sin(rate * t), 1 - np.cos(rate * t)])
+    columns["dcom"][:, :2] = radius * rate * np.column_stack([np.cos(rate * t), np.sin(rate * t)])
+    profile = {"t": [0.0], "v": [[radius * rate, 0.0, rate]]}
+    summary = Trace(columns, made_up.meta(profile=profile)).summary()
+    assert summary["mean_speed_per_step"] == pytest.approx([radius * rate] * 10, rel=1e-3)
+    assert summary["speed_rms_error"] == pytest.approx(0.0, abs=1e-12)
+
+
+def test_summary_of_a_walk_without_contact_or_timing_holds_none(made_up, made_up_columns):
+    empty = {"zmp_meas": np.full((8000, 2), np.nan), "zmp_modified": np.zeros((8000, 2))}
+    summary = Trace(
+        {**made_up_columns, **empty}, made_up.meta(timing={}, fell=True, fall_time=7.9, fall_cause="tilt")
+    ).summary()
+    assert summary["zmp_error_mm"]["p95"] == [None, None]
+    assert summary["iterations"] == {"mean": None, "max": None}
+    assert summary["cycle_us"] == {"median": None, "p99": None}
+    assert (summary["fell"], summary["fall_time"], summary["fall_cause"]) == (True, 7.9, "tilt")
+    json.dumps(summary, allow_nan=False)
+
+
+def test_summary_of_a_very_short_walk_has_no_whole_step(made_up, made_up_columns):
+    short = Trace({name: array[:100] for name, array in made_up_columns.items()}, made_up.meta())
+    assert short.summary()["mean_speed_per_step"] == []
+    assert short.summary()["duration"] == 0.1
+
+
+# --- real runs
+
+
+def test_simulated_trace_has_every_promised_column(walked):
+    model, _ = zmpwalk.load_robot("mahru")
+    widths = {
+        **dict.fromkeys(["com", "dcom", "com_des", "dcom_des", "v_plan", "v_des", "v_error_integral", "foothold"], 3),
+        **dict.fromkeys(["zmp_des", "zmp_ref", "zmp_est", "zmp_meas", "zmp_lower", "zmp_upper"], 2),
+        **dict.fromkeys(["zmp_first", "zmp_slope", "zmp_modified"], 2),
+        **dict.fromkeys(["t", "phase", "support", "iterations", "fell", "w_T", "step", "phase_time"], 0),
+        **dict.fromkeys(["foot_left", "foot_right"], 7), **dict.fromkeys(["f_c", "contact_wrench"], 12),
+        "torque_ratio": 0, "tau": model.nu, "qpos": model.nq, "qvel": model.nv,
+    }  # fmt: skip
+    for name, width in widths.items():
+        assert walked[name].shape == ((1500, width) if width else (1500,)), name
+    assert walked.t == pytest.approx(0.001 * np.arange(1500))
+    assert walked.meta["robot"] == "mahru"
+    assert walked.meta["model_sha256"]
+    assert walked.meta["versions"]["mujoco"] == mujoco.__version__
+    assert len(walked.meta["joint_names"]) == len(walked.meta["torque_limits"]) == model.nu
+
+
+def test_saved_run_repeats_from_its_file_alone(walked, tmp_path):
+    path = walked.save(tmp_path / "walk.npz")
+    seen = []
+    again = Trace.load(path).rerun(lambda t, duration: seen.append((t, duration)))
+    assert again == walked
+    assert all(duration == 1.5 for _, duration in seen)
+
+
+def test_loop_in_python_is_the_loop_in_cpp(walked, tmp_path):
+    model, description = zmpwalk.load_robot("mahru")
+    data = mujoco.MjData(model)
+    description.place(model, data)
+    controller = zmpwalk.WalkingController(model, description)
+    controller.reset(data)
+    recorder = zmpwalk.Recorder(controller)
+    while data.time < 0.3 - 1e-9:
+        out = controller.update(data)
+        mujoco.mj_step(model, data)
+        recorder.add(out, data)
+    trace = recorder.trace()
+    assert all(np.array_equal(trace[name], walked[name][:300], equal_nan=True) for name in walked)
+    assert trace.rerun() == trace
+    assert Trace.load(trace.save(tmp_path / "walk.npz")).rerun() == trace
+    assert trace.meta["fell"] is False
+
+
+def test_model_of_another_mujoco_or_a_damaged_one_is_refused(walked):
+    other = Trace(walked, {**walked.meta, "versions": {"mujoco": "9.9.9"}}, walked._model)
+    with pytest.raises(ModelError, match=r"MuJoCo 9\.9\.9"):
+        other.rerun()
+    damaged = Trace(walked, walked.meta, walked._model[:-1] + b"?")
+    with pytest.raises(ModelError, match="damaged"):
+        damaged.rerun()
+    with pytest.raises(ModelError, match="no model"):
+        Trace(walked, walked.meta).rerun()
+
+
+@pytest.mark.parametrize("duration", [0, -1, float("nan"), float("inf"), "long"])
+def test_duration_must_be_positive_and_finite(duration):
+    with pytest.raises(InputError, match="duration"):
+        zmpwalk.simulate("mahru", duration=duration)
+
+
+def test_what_on_progress_raises_stops_the_run_and_passes_on():
+    def stop(t, duration):
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        zmpwalk.simulate("mahru", duration=1000.0, on_progress=stop)
+
+
+def test_plot_by_name_or_all(made_up_trace):
+    assert set(made_up_trace.plot()) == {"iteration", "tracking", "switch", "velocity", "sagittal", "lateral"}
+    with pytest.raises(InputError, match="no figure 'zmp'; there are iteration"):
+        made_up_trace.plot("zmp")
