@@ -1,0 +1,79 @@
+"""What a walk's acceptance is read from: switch times, ZMP windows, offsets at mid-stance, errors by phase.
+
+Every function takes a `Trace` (or anything with the same columns as attributes) and returns NumPy arrays or plain lists.
+"""
+
+from __future__ import annotations
+
+from typing import Any, List, NamedTuple
+
+import numpy as np
+
+__all__ = ["Window", "bound_excess", "midstance_offset", "switch_times", "zmp_error", "zmp_windows"]
+
+
+class Window(NamedTuple):
+    """A time during which the desired ZMP sat on a bound: start and end [s], bound -1 lower or +1 upper."""
+
+    start: float
+    end: float
+    bound: int
+
+
+def switch_times(trace: Any) -> np.ndarray:
+    """Time into double support at which the ZMP moved to the other foot, one per switch (III-D).
+
+    Returns:
+        (n,) [s].
+
+    Usage:
+        >>> switch_times(trace)[5:].ptp()
+    """
+    at = np.flatnonzero(np.diff(trace.support) != 0) + 1
+    return np.asarray(trace.phase_time[at])
+
+
+def zmp_windows(trace: Any, shortest: float = 0.0) -> List[Window]:
+    """Times during which the desired sagittal ZMP was on one of its bounds (section IV), in order.
+
+    Args:
+        shortest: windows shorter than this are left out [s].
+    """
+    windows = []
+    for bound in (-1, 1):
+        on = np.concatenate([[0], (trace.zmp_modified[:, 0] == bound).astype(int), [0]])
+        starts, ends = np.flatnonzero(np.diff(on) == 1), np.flatnonzero(np.diff(on) == -1) - 1
+        windows += [Window(float(trace.t[a]), float(trace.t[b]), bound) for a, b in zip(starts, ends)]
+    return sorted(w for w in windows if w.end - w.start >= shortest)
+
+
+def midstance_offset(trace: Any) -> np.ndarray:
+    """COM minus support sole's centre along x in the middle of each single support (n,) [m]."""
+    offsets = []
+    for step in range(int(trace.step[-1]) + 1):
+        rows = np.flatnonzero((trace.step == step) & (trace.phase == 1))
+        if len(rows) < 2:
+            continue
+        k = rows[len(rows) // 2]
+        foot = trace.foot_left if trace.support[k] > 0 else trace.foot_right
+        offsets.append(trace.com[k, 0] - foot[k, 0])
+    return np.array(offsets)
+
+
+def zmp_error(trace: Any, single_support: bool = False) -> np.ndarray:
+    """|estimated ZMP - CoP of MuJoCo's contacts|, cycles with contact only (n, 2) [m].
+
+    Args:
+        single_support: only cycles of single support.
+    """
+    error = np.abs(trace.zmp_est - trace.zmp_meas)
+    keep = np.isfinite(error).all(axis=1)
+    if single_support:
+        keep &= trace.phase == 1
+    return np.asarray(error[keep])
+
+
+def bound_excess(trace: Any, single_support: bool = True) -> np.ndarray:
+    """How far the estimated ZMP was beyond its designed bounds, each cycle and axis (n, 2) [m]; negative inside."""
+    excess = np.maximum(trace.zmp_est - trace.zmp_upper, trace.zmp_lower - trace.zmp_est)
+    return np.asarray(excess[trace.phase == 1] if single_support else excess)
