@@ -183,8 +183,8 @@ lint: $(B)/dev.stamp $(B)/installed.stamp
 	mypy
 
 stubs: $(B)/dev.stamp $(B)/installed.stamp
-	cd $(B) && pybind11-stubgen zmpwalk._core -o stubs
-	cp $(B)/stubs/zmpwalk/_core.pyi python/zmpwalk/_core.pyi && ruff check -q --fix python/zmpwalk/_core.pyi; \
+	cd $(B) && $(VENV)/bin/pybind11-stubgen zmpwalk._core -o stubs >/dev/null
+	cp $(B)/stubs/zmpwalk/_core.pyi python/zmpwalk/_core.pyi
 	ruff format -q python/zmpwalk/_core.pyi
 
 endif

@@ -11,6 +11,9 @@
 namespace zmpwalk {
 namespace {
 
+/// Knee angle that the plan keeps: room for what it does not know, as swing leg and pelvis move the hips against the COM [rad].
+constexpr double kLeastKnee = 0.3;
+
 double stand_height(const Dynamics& dyn) {
   return dyn.com.z() - 0.5 * (dyn.sole[kLeft].p_WF.z() + dyn.sole[kRight].p_WF.z());
 }
@@ -60,7 +63,6 @@ WalkingController::WalkingController(const mjModel* model, const RobotDescriptio
                    settings_.singular_pivot}),
       estimator_(robot_.nv()),
       bounds_{bounds_of(robot_, kLeft, settings_), bounds_of(robot_, kRight, settings_)},
-      speed_limit_(find_speed_limit()),
       R_HB_(Mat3::Identity()),
       kp_(settings_.com_x_kp, settings_.com_y_kp),
       kd_(settings_.com_x_kd, settings_.com_y_kd),
@@ -77,29 +79,66 @@ WalkingController::WalkingController(const mjModel* model, const RobotDescriptio
   for (int i = 0; i < 2; ++i)
     df_dr_[i] = (settings_.feed_forward ? -1.0 / (Tc * Tc) : 0.0) -
                 pd_acceleration(kp_[i], kd_[i], std::cosh(dt / Tc) - 1.0, std::sinh(dt / Tc) / Tc);
+  check_profile();
+}
+
+double WalkingController::reach(double least_knee) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Side side : kSides) {
+    const RobotLeg leg = robot_.leg_at_stand(side);
+    const double length = std::sqrt(leg.thigh * leg.thigh + leg.shank * leg.shank + 2.0 * leg.thigh * leg.shank * std::cos(least_knee));
+    const Vec2 d = leg.hip_to_ankle;
+    least = std::min(least, std::sqrt(std::max(length * length - d.y() * d.y(), 0.0)) - std::abs(d.x()));
+  }
+  return std::max(least, 0.0);
+}
+
+double WalkingController::speed_limit() const {
+  // In double support the hip is up to v T_ds/2 past the middle of the feet, so an ankle is v (T + T_ds)/2 away along x.
+  return 2.0 * reach(kLeastKnee) / (settings_.T_ss + 2.0 * settings_.T_ds);
+}
+
+void WalkingController::check_profile() const {
+  const double period = gait_.schedule().period(), limit = speed_limit();
   for (const Vec3& v : profile_.v()) {
     if (v.y() != 0.0 || v.z() != 0.0)
       throw InputError("the profile asks for v_y = " + std::to_string(v.y()) + " m/s, w_z = " + std::to_string(v.z()) +
                        " rad/s; this version walks straight ahead: both must be 0");
-    if (v.x() < 0.0 || v.x() > speed_limit_)
+    if (v.x() < 0.0 || v.x() > limit)
       throw InputError("the profile asks for v_x = " + std::to_string(v.x()) + " m/s; this robot's legs reach 0 to " +
-                       std::to_string(speed_limit_) + " m/s at a step period of " + std::to_string(gait_.schedule().period()) + " s");
+                       std::to_string(limit) + " m/s at a step period of " + std::to_string(period) + " s");
   }
+  // From a stand, the COM may not run away from the first stance foot before the second stands.
+  const double room = reach(kLeastKnee);
+  if (start_excursion(1.0) <= room) return;
+  double possible = 0.0, impossible = 1.0;
+  for (int i = 0; i < 20; ++i) {
+    const double middle = 0.5 * (possible + impossible);
+    (start_excursion(middle) <= room ? possible : impossible) = middle;
+  }
+  throw InputError("the profile starts too fast: from a stand the COM would run " + std::to_string(start_excursion(1.0)) +
+                   " m ahead of the first stance foot, the legs reach " + std::to_string(room) + " m; the same profile times " +
+                   std::to_string(possible) + " would do, or a gentler ramp");
 }
 
-double WalkingController::find_speed_limit() const {
-  // In double support the hip is up to v T_ds/2 past the middle of the feet, so an ankle is v (T + T_ds)/2 away along x; it must
-  // stay within the leg's length with the knee kept 0.1 rad from straight.
-  constexpr double kStraightKnee = 0.1;
-  double limit = std::numeric_limits<double>::infinity();
-  for (const Side side : kSides) {
-    const RobotLeg leg = robot_.leg_at_stand(side);
-    const double reach = std::sqrt(leg.thigh * leg.thigh + leg.shank * leg.shank + 2.0 * leg.thigh * leg.shank * std::cos(kStraightKnee));
-    const Vec2 d = leg.hip_to_ankle;
-    const double ahead = std::sqrt(std::max(reach * reach - d.y() * d.y(), 0.0)) - std::abs(d.x());
-    limit = std::min(limit, 2.0 * ahead / (settings_.T_ss + 2.0 * settings_.T_ds));
+double WalkingController::start_excursion(double scale) const {
+  // The pendulum under the smooth tracker, its ZMP held inside the bounds of the foot that carries it, up to the second lift-off.
+  const Schedule& schedule = gait_.schedule();
+  const double dt = settings_.control_dt, t_end = schedule.lift_off(1), t_switch = t_end - 0.5 * settings_.T_ds;
+  const double foothold = scale * (profile_.displacement(0.0, t_switch) + 0.5 * profile_.displacement(t_switch, t_switch + schedule.period())).x();
+  VelocityTracker tracker(TrackerLaw::kSmooth, settings_.tracker_gain, settings_.tracker_time, settings_.tracker_deadband);
+  const Dynamics& dyn = robot_.dynamics();
+  const Vec3 middle = 0.5 * (dyn.sole[kLeft].p_WF + dyn.sole[kRight].p_WF);
+  const double x_0 = (dyn.com - middle).head<2>().norm();
+  PendulumState s{x_0, 0.0};
+  for (double t = 0.0; t < t_end; t += dt) {
+    const double v_plan = scale * profile_.velocity(t).x(), foot = t < t_switch ? 0.0 : foothold;
+    const double wanted = pendulum_.reference_for(s.x, tracker.acceleration(v_plan, s.v));
+    const double r = std::clamp(wanted, foot + bounds_[kLeft].lower.x(), foot + bounds_[kLeft].upper.x());
+    s = pendulum_.step(dt, s, r);
+    tracker.advance(s.v, v_plan, dt);
   }
-  return std::max(limit, 0.0);
+  return s.x - x_0;
 }
 
 double WalkingController::plan_mismatch(double duration) const {

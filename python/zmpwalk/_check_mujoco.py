@@ -54,16 +54,16 @@ def load_mujoco() -> None:
         VersionError: zmpwalk has not been built, or :func:`check_versions` refuses.
     """
     try:
-        from zmpwalk import _build
+        from zmpwalk._build import MUJOCO_VERSION
     except ImportError:
         raise VersionError(
             "zmpwalk has not been built: run `pip install .` in its source folder, and do not put python/ on the path"
         ) from None
-    check_versions(_build.MUJOCO_VERSION, _installed("mujoco"), _installed("numpy"))
+    check_versions(MUJOCO_VERSION, _installed("mujoco"), _installed("numpy"))
     import mujoco
 
-    if mujoco.__version__ != _build.MUJOCO_VERSION:  # metadata and library disagree: a damaged or a shadowed mujoco
-        check_versions(_build.MUJOCO_VERSION, mujoco.__version__, None)
+    if mujoco.__version__ != MUJOCO_VERSION:  # metadata and library disagree: a damaged or a shadowed mujoco
+        check_versions(MUJOCO_VERSION, mujoco.__version__, None)
 
 
 def _installed(package: str) -> "str | None":

@@ -80,8 +80,8 @@ class WalkingController {
   double Tc() const { return pendulum_.Tc(); }        ///< [s]
   const ZmpBounds& bounds(Side side) const { return bounds_[side]; }  ///< in the sole's axes, about its centre
 
-  /// Largest speed the legs can reach at this step period [m/s]: v T_ds/2 + v T/2 from hip to ankle, knee nearly straight.
-  double speed_limit() const { return speed_limit_; }
+  /// Largest speed the legs can reach at this step period, v (T + T_ds)/2 from hip to ankle with the knee still bent [m/s].
+  double speed_limit() const;
   /// Largest difference between the speed of a footstep list and of the profile within `duration` [s]; 0 where steps follow the profile [m/s].
   double plan_mismatch(double duration) const;
 
@@ -94,7 +94,9 @@ class WalkingController {
   void choose_reference(const GaitOutput& gait);
   void clip_torque(const GaitOutput& gait);
   void check_fall(const GaitOutput& gait);
-  double find_speed_limit() const;
+  double reach(double least_knee) const;  // of the hips over an ankle along x, at the height of the start pose [m]
+  void check_profile() const;
+  double start_excursion(double scale) const;  // of the COM from the first stance foot, for the profile times `scale` [m]
 
   Robot robot_;
   VelocityProfile profile_;
@@ -106,7 +108,6 @@ class WalkingController {
   WholeBodyController whole_body_;
   ZmpEstimator estimator_;
   std::array<ZmpBounds, 2> bounds_;
-  double speed_limit_;
 
   // State of a walk
   bool started_ = false;
