@@ -111,6 +111,7 @@ WalkSettings resolve(const WalkSettings& settings, const RobotScale& robot) {
   fill(s.step_width, robot.foot_distance);
   fill(s.step_height, 0.0535 * robot.com_height);
   fill(s.foothold_reach, 0.11 * robot.com_height);
+  fill(s.com_lead, 0.0134 * robot.com_height);
   fill(s.foothold_time, 0.18 * Tc);
   if (s.footsteps == Footsteps::kPaper) s.step_lengths = paper_step_lengths();
   if (s.footsteps == Footsteps::kPrinted) s.step_lengths = printed_step_lengths();

@@ -52,7 +52,7 @@ def midstance_offset(trace: Any) -> np.ndarray:
     offsets = []
     for step in range(int(trace.step[-1]) + 1):
         rows = np.flatnonzero((trace.step == step) & (trace.phase == 1))
-        if len(rows) < 2:
+        if len(rows) < 2 or rows[-1] == len(trace.t) - 1:  # cut off by the end
             continue
         k = rows[len(rows) // 2]
         foot = trace.foot_left if trace.support[k] > 0 else trace.foot_right

@@ -85,15 +85,14 @@ inline void randomize(const Robot& robot, mjData* d, unsigned seed) {
   Numbers numbers(seed);
   mjtNum* q = d->qpos + robot.qpos_address();
   mjtNum* dq = d->qvel + robot.dof_address();
-  Eigen::Map<Vec3>(q) = Vec3(0, 0, 0.7) + numbers.vector(3, 0.2);
-  const Vec3 turn = numbers.vector(3, 0.3);
+  const Vec3 p = Vec3(0, 0, 0.7) + numbers.vector(3, 0.2), turn = numbers.vector(3, 0.3);
   const Eigen::Quaterniond base(Eigen::AngleAxisd(turn.norm(), turn.normalized()));
-  Eigen::Map<Eigen::Vector4d>(q + 3) << base.w(), base.x(), base.y(), base.z();
+  Eigen::Map<Eigen::Matrix<double, 7, 1>>{q} << p, base.w(), base.x(), base.y(), base.z();
   for (int j = 0; j < robot.joints(); ++j) {
     q[7 + j] = robot.stand()[j] + numbers.uniform(-0.3, 0.3);
     if (robot.joint_names()[j].find("knee") != std::string::npos) q[7 + j] = std::max(q[7 + j], 0.3);
   }
-  Eigen::Map<VecX>(dq, robot.nv()) = numbers.vector(robot.nv(), 1.0);
+  Eigen::Map<VecX>{dq, robot.nv()} = numbers.vector(robot.nv(), 1.0);
 }
 
 /// The three ways to stand.

@@ -44,7 +44,7 @@ struct WalkSettings {
   // Footsteps and the swing foot
   Footsteps footsteps = Footsteps::kTied;
   std::vector<double> step_lengths;
-  double step_width = kNaN, step_height = kNaN, foothold_reach = kNaN, foothold_time = kNaN, foothold_freeze = 0.7;
+  double step_width = kNaN, step_height = kNaN, foothold_reach = kNaN, com_lead = kNaN, foothold_time = kNaN, foothold_freeze = 0.7;
   bool swing_feed_forward = true;
   double swing_kp = kNaN, swing_kd = kNaN;
   // The other tasks, double support
@@ -91,6 +91,7 @@ void visit_settings(Settings& s, Visitor&& v) {
   v("step_width", s.step_width, "m", "lateral distance of the feet; NaN: as they stand at the start");
   v("step_height", s.step_height, "m", "height of the swing foot; NaN: 0.0535 of the COM height");
   v("foothold_reach", s.foothold_reach, "m", "tied footholds: largest distance from the nominal foothold; NaN: 0.11 of the COM height");
+  v("com_lead", s.com_lead, "m", "tied footholds: how far the COM rides ahead of the middle of the feet, so that a foot is not loaded on its heel; NaN: 0.0134 of the COM height");
   v("foothold_time", s.foothold_time, "s", "tied footholds: time constant of the low-pass on the target; NaN: 0.18 T_c");
   v("foothold_freeze", s.foothold_freeze, "", "tied footholds: share of the single support after which the target stands");
   v("swing_feed_forward", s.swing_feed_forward, "", "add the spline's acceleration to the swing foot's task");

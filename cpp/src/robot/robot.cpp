@@ -146,7 +146,7 @@ void Robot::read(const mjData* d) {
     out.A.row(i) = Eigen::Map<const VecX>(full_A_.data() + (dof0_ + i) * stride + dof0_, nv_);
 
   // Uniform gravity is a uniform acceleration of the base: g = -A [gravity; 0].
-  out.g.noalias() = -(out.A.leftCols<3>() * out.gravity);
+  out.g.noalias() = out.A.leftCols<3>() * (-out.gravity);
   out.drift_momentum = rne_.segment(dof0_, nv_) - out.g;
   out.b = out.drift_momentum - Eigen::Map<const VecX>(own->qfrc_passive + dof0_, nv_);
   for (int i = 6; i < nv_; ++i) {

@@ -18,7 +18,7 @@ struct Foothold {
 ///
 /// Lengths are leads over the stance foot: a list of the user's or the paper's, or from the profile (planned displacement over
 /// the coming period). Anchors are the measured stance foot ("paper", "printed", "list"), the plan itself ("absolute"), or the
-/// COM ("tied"): x_T = x + planned displacement until the middle of the next double support + T_c (v - v_plan) + L/2, clamped about
+/// COM ("tied"): x_T = x + planned displacement until the middle of the next double support + T_c (v - v_plan) + L/2 - com_lead, clamped about
 /// the nominal foothold and low-passed, until `foothold_freeze` of the single support.
 class FootstepPlanner {
  public:

@@ -1,0 +1,113 @@
+#include "robots.hpp"
+#include "zmpwalk/math/error.hpp"
+#include "zmpwalk/robot/description.hpp"
+
+using namespace zmpwalk;
+using namespace zmpwalk::testing;
+
+namespace {
+
+/// A leg of six hinges; `joint` and `site` go in where a test wants them wrong.
+std::string leg(const std::string& side, double y, const std::string& site) {
+  std::string text;
+  for (int i = 0; i < 6; ++i) {
+    text += "<body name='" + side + std::to_string(i) + "' pos='0 " + (i ? "0" : std::to_string(y)) + " -0.1'><joint name='" + side + "j" +
+            std::to_string(i) + "' type='hinge' axis='" + (i % 2 ? "1 0 0" : "0 1 0") + "'/><geom size='0.03'/>";
+  }
+  return text + site + "</body></body></body></body></body></body>";
+}
+
+/// The smallest robot that can be described: a trunk and two legs.
+std::string biped() {
+  std::string text = "<mujoco><worldbody><body name='trunk' pos='0 0 0.7'><freejoint name='root'/><geom size='0.1'/>";
+  text += leg("l", 0.1, "<site name='left_sole' type='box' size='0.1 0.05 0.001' pos='0.02 0 -0.03'/>");
+  text += leg("r", -0.1, "<site name='right_sole' type='box' size='0.1 0.05 0.001' pos='0.02 0 -0.03'/>");
+  text += "</body></worldbody><actuator>";
+  for (const std::string side : {"l", "r"})
+    for (int i = 0; i < 6; ++i) text += "<motor joint='" + side + "j" + std::to_string(i) + "'/>";
+  return text + "</actuator><keyframe><key name='stand' qpos='0 0 0.63 1 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0'/></keyframe></mujoco>";
+}
+
+/// Describing the biped with one thing changed fails, and the message says `text`.
+void refuses(const std::string& from, const std::string& to, const std::string& text) {
+  const ModelPtr m = load_text(replaced(biped(), from, to));
+  CHECK_THROWS(describe(m.get()), ModelError, text);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_robot_with_soles_and_a_stand_pose_describes_itself) {
+  const ModelPtr m = load_text(biped());
+  const RobotDescription robot = describe(m.get());
+  BOOST_CHECK_EQUAL(robot.name, "trunk");
+  BOOST_CHECK_EQUAL(robot.root_joint, "root");
+  BOOST_CHECK_EQUAL(robot.stand_keyframe, "stand");
+  BOOST_CHECK_EQUAL(robot.feet[kLeft].body, "l5");
+  BOOST_CHECK_EQUAL(robot.feet[kRight].length, 0.2);
+  BOOST_CHECK_EQUAL(robot.feet[kRight].width, 0.1);
+  CHECK_NEAR(robot.feet[kLeft].sole_pos, Vec3(0.02, 0, -0.03), 0.0);
+  BOOST_REQUIRE_EQUAL(robot.feet[kLeft].leg_joints.size(), 6U);
+  BOOST_CHECK_EQUAL(robot.feet[kLeft].leg_joints.front(), "lj0");
+  BOOST_CHECK_EQUAL(robot.feet[kLeft].leg_joints.back(), "lj5");
+  BOOST_CHECK_EQUAL(robot.stand_joints.size(), 12U);
+  CHECK_NEAR(robot.stand_base_pos, Vec3(0, 0, 0.63), 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(the_bundled_humanoid_describes_itself) {
+  const RobotDescription robot = describe(mahru());
+  BOOST_CHECK_EQUAL(robot.stand_joints.size(), 25U);
+  BOOST_CHECK_EQUAL(robot.feet[kLeft].length, 0.25);
+  BOOST_CHECK_EQUAL(robot.feet[kLeft].width, 0.14);
+}
+
+BOOST_AUTO_TEST_CASE(a_model_that_cannot_walk_is_refused_with_what_is_missing) {
+  refuses("<freejoint name='root'/>", "<joint name='root' type='slide'/>", "no free joint; a walking robot needs a floating base (<freejoint/>)");
+  refuses("<freejoint name='root'/>", "<freejoint/>", "free joint has no name");
+  refuses("<site name='left_sole'", "<site name='sole'", "no site 'left_sole'");
+  refuses("<site name='left_sole'", "<site name='sole'", "it has sites: sole, right_sole");
+  refuses("name='right_sole' type='box'", "name='right_sole' type='ellipsoid'", "'right_sole' is not a box");
+  refuses("<key name='stand'", "<key name='home'", "no keyframe 'stand'");
+  refuses("<motor joint='lj3'/>", "", "joint 'lj3' has 0 motors");
+  refuses("<motor joint='lj3'/>", "<motor joint='lj3'/><motor joint='lj3'/>", "joint 'lj3' has 2 motors");
+  refuses("<motor joint='lj3'/>", "<position joint='lj3'/>", "is not a plain torque motor");
+  refuses("<joint name='rj2' type='hinge' axis='0 1 0'/>", "<joint name='rj2' type='hinge' axis='0 1 0'/><joint name='rj2b' type='hinge' axis='0 0 1'/>",
+          "");
+}
+
+BOOST_AUTO_TEST_CASE(a_description_with_a_wrong_name_or_number_is_refused) {
+  const RobotDescription good = describe(mahru());
+  BOOST_CHECK_NO_THROW(good.check(mahru()));
+  const auto refused = [&](const auto& change, const std::string& text) {
+    RobotDescription bad = good;
+    change(bad);
+    CHECK_THROWS(bad.check(mahru()), ModelError, text);
+  };
+  refused([](auto& d) { d.root_joint = "rot"; }, "no joint named 'rot'; it has: root, ");
+  refused([](auto& d) { d.root_joint = "l_knee"; }, "'l_knee' is not a free joint");
+  refused([](auto& d) { d.feet[kLeft].body = "paw"; }, "no body named 'paw'");
+  refused([](auto& d) { d.feet[kRight].sole_site = "pad"; }, "no site named 'pad'");
+  refused([](auto& d) { d.feet[kLeft].length = 0.0; }, "the left sole is 0.000000 x 0.140000 m; both must be greater than 0");
+  refused([](auto& d) { d.feet[kLeft].width = kNaN; }, "both must be greater than 0");
+  refused([](auto& d) { d.feet[kRight].leg_joints.pop_back(); }, "the right leg has 5 joints");
+  refused([](auto& d) { d.feet[kRight].leg_joints[0] = "l_knee"; }, "'l_knee' is listed for the right leg but does not move");
+  refused([](auto& d) { d.feet[kLeft].leg_joints[1] = d.feet[kLeft].leg_joints[0]; }, "is listed twice");
+  refused([](auto& d) { d.stand_joints.erase("waist_yaw"); }, "no value for joint 'waist_yaw'");
+  refused([](auto& d) { d.stand_joints["waist_yaw"] = kNaN; }, "'waist_yaw' is not finite");
+  refused([](auto& d) { d.stand_joints["tail"] = 0.0; }, "no joint named 'tail'");
+  refused([](auto& d) { d.stand_base_quat << 0, 0, 0, 0; }, "unit quaternion");
+  refused([](auto& d) { d.stand_base_pos.x() = kNaN; }, "not a position");
+}
+
+BOOST_AUTO_TEST_CASE(placing_with_a_wrong_description_changes_nothing) {
+  RobotDescription bad = describe(mahru());
+  bad.stand_joints["tail"] = 0.0;
+  const MjDataPtr d = make_data(mahru());
+  const VecX before = Eigen::Map<const VecX>(d->qpos, mahru()->nq);
+  CHECK_THROWS(bad.place(mahru(), d.get()), ModelError, "tail");
+  CHECK_NEAR(Eigen::Map<const VecX>(d->qpos, mahru()->nq), before, 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(a_motor_that_can_only_push_is_refused) {
+  const ModelPtr m = load_text(replaced(mahru_text(), "<motor class=\"knee\" name=\"l_knee\"", "<motor class=\"knee\" ctrlrange=\"5 9\" name=\"l_knee\""));
+  CHECK_THROWS(Robot(m.get(), describe(m.get())), ModelError, "motor of joint 'l_knee' has a control range without 0 inside");
+}

@@ -1,0 +1,265 @@
+#include <cmath>
+#include <vector>
+
+#include "robots.hpp"
+#include "zmpwalk/math/error.hpp"
+#include "zmpwalk/math/rotation.hpp"
+#include "zmpwalk/robot/contact_forces.hpp"
+#include "zmpwalk/robot/mujoco_compat.hpp"
+#include "zmpwalk/robot/robot.hpp"
+
+using namespace zmpwalk;
+using namespace zmpwalk::testing;
+
+namespace {
+
+/// A robot in a model, with a random state; by itself or as the third tree of a scene.
+struct Placed {
+  explicit Placed(const mjModel* model, unsigned seed = 0) : m(model), robot(m, describe(mahru())), data(make_data(m)) {
+    randomize(robot, data.get(), seed);
+    read();
+  }
+  void read() { robot.read(data.get()); }
+  const Dynamics& dyn() const { return robot.dynamics(); }
+  /// The state `time` later at constant velocity `dq` (nv,) of the robot, read.
+  void moved(const VecX& dq, double time) {
+    VecX all = VecX::Zero(m->nv);
+    all.segment(robot.dof_address(), robot.nv()) = dq;
+    mj_integratePos(m, data->qpos, all.data(), time);
+    read();
+  }
+
+  const mjModel* m;
+  Robot robot;
+  MjDataPtr data;
+};
+
+const mjModel* scene() {
+  static const ModelPtr m = mahru_in_a_scene();
+  return m.get();
+}
+
+/// All that depends on the state, by central differences along the robot's velocity.
+template <class Quantity>
+VecX rate(unsigned seed, const VecX& dq, Quantity&& quantity, const mjModel* m = mahru()) {
+  const double h = 1e-5;
+  Placed before(m, seed), after(m, seed);
+  before.moved(dq, -h);
+  after.moved(dq, h);
+  return (quantity(after.dyn()) - quantity(before.dyn())) / (2 * h);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(sole_jacobian_is_the_difference_of_sole_poses) {
+  for (const mjModel* m : {mahru(), scene()})
+    for (const Side side : kSides) {
+      const Placed at(m, 1);
+      const Mat3 R = at.dyn().sole[side].R_WF;
+      const auto pose = [&](const Dynamics& dyn) {
+        return (VecX(6) << dyn.sole[side].p_WF, orientation_error(dyn.sole[side].R_WF, R)).finished();
+      };
+      for (int i = 0; i < at.robot.nv(); ++i)
+        CHECK_NEAR(rate(1, VecX::Unit(at.robot.nv(), i), pose, m), VecX(at.dyn().sole[side].J.col(i)), 1e-8);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(com_jacobian_is_the_difference_of_the_com_and_mujocos) {
+  for (const mjModel* m : {mahru(), scene()}) {
+    const Placed at(m, 2);
+    for (int i = 0; i < at.robot.nv(); ++i)
+      CHECK_NEAR(rate(2, VecX::Unit(at.robot.nv(), i), [](const Dynamics& dyn) { return VecX(dyn.com); }, m), VecX(at.dyn().J_com.col(i)), 1e-8);
+    RowMatX J(3, m->nv);
+    mj_forward(m, at.data.get());
+    mj_jacSubtreeCom(m, at.data.get(), J.data(), at.robot.root_body());
+    CHECK_NEAR(J.middleCols(at.robot.dof_address(), at.robot.nv()), at.dyn().J_com, 1e-12);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(velocities_are_jacobian_times_dq) {
+  const Placed at(mahru(), 3);
+  CHECK_NEAR(at.dyn().dcom, at.dyn().J_com * at.dyn().dq, 1e-12);
+  for (const SoleState& sole : at.dyn().sole) CHECK_NEAR(sole.velocity, sole.J * at.dyn().dq, 1e-12);
+  CHECK_NEAR(VecX(at.dyn().omega_WB), rate(3, at.dyn().dq, [&](const Dynamics& dyn) { return VecX(orientation_error(dyn.R_WB, at.dyn().R_WB)); }), 1e-8);
+}
+
+BOOST_AUTO_TEST_CASE(drift_is_the_rate_of_the_velocity_without_acceleration) {
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    const Placed at(mahru(), seed);
+    const VecX dq = at.dyn().dq;
+    CHECK_NEAR(rate(seed, dq, [&](const Dynamics& dyn) { return VecX(dyn.J_com * dq); }), VecX(at.dyn().drift_com), 1e-7);
+    for (const Side side : kSides)
+      CHECK_NEAR(rate(seed, dq, [&](const Dynamics& dyn) { return VecX(dyn.sole[side].J * dq); }), VecX(at.dyn().sole[side].drift), 1e-7);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(inertia_is_mujocos_column_by_column) {
+  for (const mjModel* m : {mahru(), scene()}) {
+    const Placed at(m, 4);
+    mj_forward(m, at.data.get());
+    for (int i = 0; i < at.robot.nv(); ++i) {
+      const VecX unit = VecX::Unit(m->nv, at.robot.dof_address() + i);
+      VecX column(m->nv);
+      mj_mulM(m, at.data.get(), column.data(), unit.data());
+      CHECK_NEAR(column.segment(at.robot.dof_address(), at.robot.nv()), VecX(at.dyn().A.col(i)), 1e-12);
+    }
+    CHECK_NEAR(at.dyn().A, at.dyn().A.transpose(), 0.0);
+    CHECK_NEAR(at.dyn().A(0, 0), at.dyn().mass, 1e-12);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(velocity_and_gravity_terms_are_mujocos_bias) {
+  for (const mjModel* m : {mahru(), scene()}) {
+    Placed at(m, 5);
+    mj_forward(m, at.data.get());
+    const Eigen::Map<const VecX> bias(at.data->qfrc_bias + at.robot.dof_address(), at.robot.nv());
+    CHECK_NEAR(at.dyn().b + at.dyn().g, bias, 1e-10);
+    CHECK_NEAR(at.dyn().g.head<3>(), Vec3(-at.dyn().mass * at.dyn().gravity), 1e-11);
+    CHECK_NEAR(at.dyn().mass * at.dyn().drift_com, at.dyn().drift_momentum.head<3>(), 1e-12);
+    Eigen::Map<VecX>(at.data->qvel, m->nv).setZero();
+    at.read();
+    CHECK_NEAR(at.dyn().b, VecX::Zero(at.robot.nv()), 1e-10);  // at rest nothing but gravity is left
+  }
+}
+
+BOOST_AUTO_TEST_CASE(passive_forces_and_dry_friction_enter_b_but_not_the_com_drift) {
+  const ModelPtr stiff = load_text(replaced(mahru_text(), "armature=\"0.05\" damping=\"0\"",
+                                            "armature=\"0.05\" damping=\"0.7\" frictionloss=\"0.4\" stiffness=\"3\""));
+  const Placed bare(mahru(), 6), at(stiff.get(), 6);
+  VecX passive = VecX::Zero(at.robot.nv());
+  for (int j = 0; j < at.robot.joints(); ++j)
+    passive[6 + j] = 0.7 * at.dyn().dq[6 + j] + 3.0 * at.dyn().q[j] + 0.4 * std::tanh(at.dyn().dq[6 + j] / 0.02);
+  CHECK_NEAR(at.dyn().b, bare.dyn().b + passive, 1e-10);
+  CHECK_NEAR(at.dyn().g, bare.dyn().g, 0.0);
+  CHECK_NEAR(at.dyn().drift_com, bare.dyn().drift_com, 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(free_joint_turns_in_its_own_axes_and_moves_in_the_worlds) {
+  Placed at(mahru(), 7);
+  CHECK_NEAR(at.dyn().omega_WB, at.dyn().R_WB * at.dyn().dq.segment<3>(3), 1e-14);
+  const Vec3 p = at.dyn().p_WB;
+  at.moved(VecX::Unit(31, 0), 0.3);
+  CHECK_NEAR(at.dyn().p_WB, p + Vec3(0.3, 0, 0), 1e-14);
+}
+
+BOOST_AUTO_TEST_CASE(robot_is_the_same_wherever_its_tree_stands_in_the_model) {
+  const Placed alone(mahru(), 8), third(scene(), 8);
+  BOOST_CHECK_EQUAL(third.robot.dof_address(), 7);
+  BOOST_CHECK_EQUAL(third.robot.qpos_address(), 8);
+  const Dynamics &a = alone.dyn(), &b = third.dyn();
+  CHECK_NEAR(a.A, b.A, 1e-12);
+  CHECK_NEAR(a.b, b.b, 1e-12);
+  CHECK_NEAR(a.g, b.g, 1e-12);
+  CHECK_NEAR(a.com, b.com, 1e-14);
+  CHECK_NEAR(a.drift_com, b.drift_com, 1e-12);
+  CHECK_NEAR(a.q, b.q, 0.0);
+  BOOST_CHECK_EQUAL(a.mass, b.mass);
+  for (const Side side : kSides) {
+    CHECK_NEAR(a.sole[side].J, b.sole[side].J, 1e-13);
+    CHECK_NEAR(a.sole[side].drift, b.sole[side].drift, 1e-12);
+  }
+  BOOST_CHECK(alone.robot.joint_names() == third.robot.joint_names());
+  BOOST_CHECK(alone.robot.leg_joints() == third.robot.leg_joints());
+}
+
+BOOST_AUTO_TEST_CASE(torque_goes_to_the_motor_of_each_joint_by_name) {
+  const ModelPtr geared = load_text(replaced(mahru_text(), "<motor class=\"knee\" name=\"l_knee\"", "<motor class=\"knee\" gear=\"-20\" name=\"l_knee\""));
+  for (const mjModel* m : {scene(), static_cast<const mjModel*>(geared.get())}) {
+    Placed at(m, 9);
+    const VecX tau = Numbers(10).vector(at.robot.joints(), 10.0);
+    at.robot.write_torque(tau, at.data.get());
+    mj_forward(m, at.data.get());
+    const Eigen::Map<const VecX> applied(at.data->qfrc_actuator, m->nv);
+    CHECK_NEAR(applied.segment(at.robot.dof_address() + 6, at.robot.joints()), tau, 1e-12);
+    CHECK_NEAR(applied.squaredNorm(), tau.squaredNorm(), 1e-9);  // and nowhere else
+  }
+  const Placed at(geared.get());
+  BOOST_CHECK_EQUAL(at.robot.torque_limit()[at.robot.leg_joints()[kLeft][3]], 20 * 160.0);
+}
+
+BOOST_AUTO_TEST_CASE(robot_knows_its_legs) {
+  const Placed at(mahru());
+  BOOST_CHECK_EQUAL(at.robot.joints(), 25);
+  for (const Side side : kSides) {
+    const std::string prefix = side == kLeft ? "l_" : "r_";
+    const auto& leg = at.robot.leg_joints()[side];
+    BOOST_CHECK_EQUAL(at.robot.joint_names()[leg[3]], prefix + "knee");
+    BOOST_CHECK_EQUAL(at.robot.pitch_joint(side, 0, 3), leg[2]);
+    BOOST_CHECK_EQUAL(at.robot.pitch_joint(side, 4, 6), leg[4]);
+    BOOST_CHECK_EQUAL(at.robot.torque_limit()[leg[3]], 160.0);
+    CHECK_NEAR(at.robot.leg_at_stand(side).thigh, 0.3, 1e-12);
+    CHECK_NEAR(at.robot.leg_at_stand(side).shank, 0.3, 1e-12);
+    CHECK_NEAR(at.robot.ankle_in_sole(side), Vec3(-0.02, 0, 0.09), 1e-9);
+    BOOST_CHECK(at.robot.is_foot(side, at.robot.foot_body(side)) && !at.robot.is_foot(side, at.robot.foot_body(other(side))));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(placed_robot_stands_at_rest_with_flat_soles_on_the_ground) {
+  for (const mjModel* m : {mahru(), scene()})
+    for (const double ground : {0.0, 0.3}) {
+      Placed at(m, 11);
+      const VecX before = Eigen::Map<const VecX>(at.data->qpos, at.robot.qpos_address());
+      at.robot.description().place(m, at.data.get(), ground);
+      at.read();
+      for (const SoleState& sole : at.dyn().sole) {
+        CHECK_NEAR(sole.p_WF.z(), ground, 1e-9);
+        CHECK_NEAR(sole.R_WF, Mat3::Identity(), 1e-9);
+      }
+      CHECK_NEAR(at.dyn().dq, VecX::Zero(31), 0.0);
+      CHECK_NEAR(at.dyn().q, at.robot.stand(), 0.0);
+      BOOST_CHECK_GE(at.dyn().q[at.robot.leg_joints()[kLeft][3]], 0.3);
+      BOOST_CHECK_GT(at.robot.joint_margin(at.data.get()), 0.0);
+      CHECK_NEAR(Eigen::Map<const VecX>(at.data->qpos, at.robot.qpos_address()), before, 0.0);  // the box stays
+    }
+  Placed at(mahru());
+  CHECK_THROWS(at.robot.description().place(mahru(), at.data.get(), kNaN), InputError, "ground = nan");
+}
+
+BOOST_AUTO_TEST_CASE(joint_margin_is_the_distance_to_the_nearest_limit) {
+  Placed at(mahru());
+  at.robot.description().place(mahru(), at.data.get());
+  at.data->qpos[at.robot.qpos_address() + 7 + at.robot.leg_joints()[kRight][3]] = 0.05;  // knee range from 0
+  CHECK_NEAR(at.robot.joint_margin(at.data.get()), 0.05, 1e-12);
+}
+
+BOOST_AUTO_TEST_CASE(a_state_with_nan_or_infinity_is_not_finite) {
+  Placed at(scene(), 12);
+  BOOST_CHECK(at.robot.is_finite(at.data.get()));
+  at.data->qpos[0] = kNaN;  // the box's, not the robot's
+  BOOST_CHECK(at.robot.is_finite(at.data.get()));
+  at.data->qvel[at.robot.dof_address() + 30] = INFINITY;
+  BOOST_CHECK(!at.robot.is_finite(at.data.get()));
+}
+
+BOOST_AUTO_TEST_CASE(measured_wrench_is_what_the_contacts_do_to_the_base) {
+  for (const mjModel* m : {mahru(), scene()}) {
+    Placed at(m);
+    at.robot.description().place(m, at.data.get());
+    at.data->qvel[at.robot.dof_address() + 2] = -0.1;  // press the soles onto the ground
+    at.data->qpos[at.robot.qpos_address() + 2] -= 1e-3;
+    mj_forward(m, at.data.get());
+    at.read();
+    const MeasuredContact contact = measure_contact(at.robot, at.data.get());
+    const Vec3 p = at.dyn().p_WB;
+    const Wrench total = total_wrench(contact.wrench, contact.sole, p);
+    const mjtNum* constraint = at.data->qfrc_constraint + at.robot.dof_address();
+    CHECK_NEAR(total.F, Vec3(-Eigen::Map<const Vec3>(constraint)), 1e-9);
+    CHECK_NEAR(total.M, Vec3(-(at.dyn().R_WB * Eigen::Map<const Vec3>(constraint + 3))), 1e-9);
+    BOOST_CHECK_LT(total.F.z(), -100.0);
+    CHECK_NEAR(contact.sole[kLeft], at.dyn().sole[kLeft].p_WF, 1e-14);
+    const Wrench about = total_wrench(contact.wrench, contact.sole, Vec3::Zero());
+    CHECK_NEAR(measured_zmp(contact, 0.0), Vec2(-about.M.y() / about.F.z(), about.M.x() / about.F.z()), 1e-14);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_foot_in_the_air_has_no_wrench_and_no_zmp) {
+  Placed at(mahru());
+  at.robot.description().place(mahru(), at.data.get());
+  at.data->qpos[at.robot.qpos_address() + 2] += 0.2;
+  mj_forward(mahru(), at.data.get());
+  const MeasuredContact contact = measure_contact(at.robot, at.data.get());
+  BOOST_CHECK(contact.wrench.array().isNaN().all());
+  BOOST_CHECK(measured_zmp(contact).array().isNaN().all());
+}
+
+BOOST_AUTO_TEST_CASE(compiled_version_is_the_one_that_runs) { BOOST_CHECK_EQUAL(mujoco_compat::compiled_version(), mj_versionString()); }
