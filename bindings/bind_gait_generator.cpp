@@ -9,8 +9,16 @@ namespace {
 struct PyGait {
   PyGait(double com_height, double gravity, double timestep, double foot_distance, double sole_width, const VelocityProfile& p,
          const WalkSettings& s)
-      : profile(p), pendulum(com_height, gravity), settings(resolve(s, {com_height, gravity, timestep, foot_distance})),
+      : profile(p), pendulum(com_height, gravity), settings(resolve(s, scale(com_height, gravity, timestep, foot_distance))),
         gait(settings, profile, 0.5 * sole_width) {}
+  static RobotScale scale(double com_height, double gravity, double timestep, double foot_distance) {
+    RobotScale out;
+    out.com_height = com_height;
+    out.gravity = gravity;
+    out.timestep = timestep;
+    out.foot_distance = foot_distance;
+    return out;
+  }
   VelocityProfile profile;
   LinearInvertedPendulum pendulum;
   WalkSettings settings;

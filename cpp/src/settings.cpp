@@ -1,5 +1,6 @@
 #include "zmpwalk/settings.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "zmpwalk/gait/pendulum.hpp"
@@ -109,7 +110,12 @@ WalkSettings resolve(const WalkSettings& settings, const RobotScale& robot) {
   gains(s.swing_kp, s.swing_kd, 900.0, 60.0);
   gains(s.posture_kp, s.posture_kd, 100.0, 20.0);
   fill(s.step_width, robot.foot_distance);
-  fill(s.step_height, 0.0535 * robot.com_height);
+  // The two cubics of a lift h start with 6 h / (T/2)^2 and pass 1.5 h / (T/2); rotor and damping take at most this share of the knee.
+  constexpr double kKneeShare = 0.55;
+  const double half = 0.5 * s.T_ss;
+  const double knee_torque_per_lift = robot.knee_per_lift * (robot.knee_armature * 6.0 / (half * half) + robot.knee_damping * 1.5 / half);
+  const double knee_lift = knee_torque_per_lift > 0.0 ? kKneeShare * robot.knee_torque / knee_torque_per_lift : robot.com_height;
+  fill(s.step_height, std::min(0.0535 * robot.com_height, knee_lift));
   fill(s.foothold_reach, 0.11 * robot.com_height);
   fill(s.com_lead, 0.0134 * robot.com_height);
   fill(s.foothold_time, 0.18 * Tc);

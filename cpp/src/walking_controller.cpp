@@ -20,8 +20,18 @@ double stand_height(const Dynamics& dyn) {
 
 RobotScale scale_of(const Robot& robot) {
   const Dynamics& dyn = robot.dynamics();
-  return {stand_height(dyn), dyn.gravity.norm(), robot.model()->opt.timestep,
-          (dyn.sole[kLeft].p_WF - dyn.sole[kRight].p_WF).head<2>().norm()};
+  const RobotLeg leg = robot.leg_at_stand(kLeft);
+  RobotScale scale{stand_height(dyn), dyn.gravity.norm(), robot.model()->opt.timestep,
+                   (dyn.sole[kLeft].p_WF - dyn.sole[kRight].p_WF).head<2>().norm()};
+  // Law of cosines over hip, knee and ankle: d(length)/d(angle) = thigh shank sin(angle) / length.
+  const double length = leg.hip_to_ankle.norm();
+  const double cosine = (length * length - leg.thigh * leg.thigh - leg.shank * leg.shank) / (2.0 * leg.thigh * leg.shank);
+  const int dof = robot.dof_address() + 6 + leg.knee;
+  scale.knee_per_lift = length / (leg.thigh * leg.shank * std::sqrt(std::max(1.0 - cosine * cosine, 1e-4)));
+  scale.knee_armature = robot.model()->dof_armature[dof];
+  scale.knee_damping = robot.model()->dof_damping[dof];
+  scale.knee_torque = robot.torque_limit()[leg.knee];
+  return scale;
 }
 
 ZmpBounds bounds_of(const Robot& robot, Side side, const WalkSettings& settings) {

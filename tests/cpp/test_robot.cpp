@@ -174,7 +174,7 @@ BOOST_AUTO_TEST_CASE(torque_goes_to_the_motor_of_each_joint_by_name) {
     CHECK_NEAR(applied.squaredNorm(), tau.squaredNorm(), 1e-9);  // and nowhere else
   }
   const Placed at(geared.get());
-  BOOST_CHECK_EQUAL(at.robot.torque_limit()[at.robot.leg_joints()[kLeft][3]], 20 * 160.0);
+  BOOST_CHECK_EQUAL(at.robot.torque_limit()[at.robot.leg_joints()[kLeft][3]], 20 * at.robot.torque_limit()[at.robot.leg_joints()[kRight][3]]);
 }
 
 BOOST_AUTO_TEST_CASE(robot_knows_its_legs) {
@@ -186,10 +186,14 @@ BOOST_AUTO_TEST_CASE(robot_knows_its_legs) {
     BOOST_CHECK_EQUAL(at.robot.joint_names()[leg[3]], prefix + "knee");
     BOOST_CHECK_EQUAL(at.robot.pitch_joint(side, 0, 3), leg[2]);
     BOOST_CHECK_EQUAL(at.robot.pitch_joint(side, 4, 6), leg[4]);
-    BOOST_CHECK_EQUAL(at.robot.torque_limit()[leg[3]], 160.0);
-    CHECK_NEAR(at.robot.leg_at_stand(side).thigh, 0.3, 1e-12);
-    CHECK_NEAR(at.robot.leg_at_stand(side).shank, 0.3, 1e-12);
-    CHECK_NEAR(at.robot.ankle_in_sole(side), Vec3(-0.02, 0, 0.09), 1e-9);
+    const int motor = mj_name2id(mahru(), mjOBJ_ACTUATOR, (prefix + "knee").c_str());
+    BOOST_CHECK_EQUAL(at.robot.torque_limit()[leg[3]], mahru()->actuator_ctrlrange[2 * motor + 1]);
+    const auto length = [&](const std::string& link) {  // of the link above: the distance to the parent body
+      return Eigen::Map<const Vec3>(mahru()->body_pos + 3 * mj_name2id(mahru(), mjOBJ_BODY, (prefix + link).c_str())).norm();
+    };
+    CHECK_NEAR(at.robot.leg_at_stand(side).thigh, length("shank"), 1e-12);
+    CHECK_NEAR(at.robot.leg_at_stand(side).shank, length("ankle"), 1e-12);
+    CHECK_NEAR(at.robot.ankle_in_sole(side), Vec3(-at.robot.description().feet[side].sole_pos), 1e-9);  // the foot body sits in the ankle
     BOOST_CHECK(at.robot.is_foot(side, at.robot.foot_body(side)) && !at.robot.is_foot(side, at.robot.foot_body(other(side))));
   }
 }

@@ -48,7 +48,7 @@ class Numbers {
 
 /// `expression` throws `Type`, and its message holds `text`.
 #define CHECK_THROWS(expression, Type, text)                                             \
-  BOOST_CHECK_EXCEPTION(expression, Type, [](const Type& error) {                        \
+  BOOST_CHECK_EXCEPTION(expression, Type, [&](const Type& error) {                       \
     const bool found = std::string(error.what()).find(text) != std::string::npos;        \
     if (!found) BOOST_TEST_MESSAGE("the message was: " << error.what());                 \
     return found;                                                                        \

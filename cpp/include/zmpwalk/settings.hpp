@@ -89,7 +89,7 @@ void visit_settings(Settings& s, Visitor&& v) {
   v("footsteps", s.footsteps, "", "'tied' to the COM, 'absolute', 'paper', 'printed' or 'list' (step_lengths)");
   v("step_lengths", s.step_lengths, "m", "lead of each step over the stance foot, the last one repeated");
   v("step_width", s.step_width, "m", "lateral distance of the feet; NaN: as they stand at the start");
-  v("step_height", s.step_height, "m", "height of the swing foot; NaN: 0.0535 of the COM height");
+  v("step_height", s.step_height, "m", "height of the swing foot; NaN: 0.0535 of the COM height, less where the knee's rotor and damping forbid it");
   v("foothold_reach", s.foothold_reach, "m", "tied footholds: largest distance from the nominal foothold; NaN: 0.11 of the COM height");
   v("com_lead", s.com_lead, "m", "tied footholds: how far the COM rides ahead of the middle of the feet, so that a foot is not loaded on its heel; NaN: 0.0134 of the COM height");
   v("foothold_time", s.foothold_time, "s", "tied footholds: time constant of the low-pass on the target; NaN: 0.18 T_c");
@@ -119,6 +119,11 @@ struct RobotScale {
   double gravity = 0.0;           ///< [m/s^2]
   double timestep = 0.0;          ///< of the model [s]
   double foot_distance = 0.0;     ///< lateral, at the start pose [m]
+  // What it costs the knee to lift the foot; nothing by default.
+  double knee_per_lift = 0.0;     ///< knee angle per height of the foot, at the start pose [rad/m]
+  double knee_armature = 0.0;     ///< [kg m^2]
+  double knee_damping = 0.0;      ///< [N m s/rad]
+  double knee_torque = std::numeric_limits<double>::infinity();  ///< limit [N m]
 };
 
 /// `settings` with every NaN replaced by the robot's value, all checked.

@@ -96,7 +96,7 @@ Robot::Robot(const mjModel* m, const RobotDescription& description)
       return Vec2(p_F.x(), p_F.z());
     };
     const Vec2 hip = anchor(pitch_joint(side, 0, 3)), knee = anchor(leg_joints_[side][3]), foot = anchor(pitch_joint(side, 4, 6));
-    leg_[side] = {(knee - hip).norm(), (foot - knee).norm(), foot - hip};
+    leg_[side] = {(knee - hip).norm(), (foot - knee).norm(), foot - hip, leg_joints_[side][3]};
   }
 }
 

@@ -24,6 +24,7 @@ struct RobotLeg {
   double thigh = 0.0;                   ///< hip to knee [m]
   double shank = 0.0;                   ///< knee to ankle [m]
   Vec2 hip_to_ankle = Vec2::Zero();     ///< [m]
+  int knee = 0;                         ///< joint index
 };
 
 /// One robot inside a MuJoCo model: mjModel and mjData on one side, `Dynamics` on the other.
