@@ -55,7 +55,9 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--json", action="store_true", help="print JSON instead of a table")
     as_json = parser.parse_args().json
-    rows = {label: row(*case) for label, *case in track(list(cases()), description="walking", console=Console(stderr=True))}
+    rows = {
+        label: row(*case) for label, *case in track(list(cases()), description="walking", console=Console(stderr=True))
+    }
     if as_json:
         print(json.dumps(rows, indent=1))
         return
@@ -64,7 +66,14 @@ def main():
     for label, r in rows.items():
         pairs = [f"{r[k][0]:.4f} / {r[k][1]:.4f}" for k in ("median_mm", "single_support_p95_mm", "p95_mm")]
         stands = "no" if r["fell"] else "yes"
-        cells = [label, f"{r['duration']:g}", stands, f"{r['speed_error_percent']:.2f}", *pairs, f"{r['bound_excess_mm']:.2f}"]
+        cells = [
+            label,
+            f"{r['duration']:g}",
+            stands,
+            f"{r['speed_error_percent']:.2f}",
+            *pairs,
+            f"{r['bound_excess_mm']:.2f}",
+        ]
         print("| " + " | ".join(cells) + " |")
 
 

@@ -1,7 +1,7 @@
 """Which acceptance lines move when a dimension, a gain or a bound changes by 5 %: `python benchmarks/sensitivity.py`.
 
-One change at a time; 30 s of the default law and 30 s of the literal law each, on the bundled robot. Prints a table of the lines that
-break; a walk that keeps them all has a dash.
+One change at a time; 30 s of the default law and 30 s of the literal law each, on the bundled robot. Prints a table of
+the lines that break; a walk that keeps them all has a dash.
 """
 
 import mujoco
@@ -130,7 +130,8 @@ def paper_lines(trace):
     upper = [w for w in windows if w.bound > 0]
     start = [w for w in lower if abs(w.start - 0.8) < 0.01]
     matched = [
-        any(w.start <= end and w.end >= begin and abs(w.end - end) <= 0.08 for w in upper) for begin, end in PAPER_WINDOWS
+        any(w.start <= end and w.end >= begin and abs(w.end - end) <= 0.08 for w in upper)
+        for begin, end in PAPER_WINDOWS
     ]
     checks = {
         "0.8 s: lower bound until 0.85-0.91 s": bool(start) and abs(start[0].end - 0.88) <= 0.03,
@@ -161,16 +162,14 @@ def walk(robot, law, change):
 
 
 def main():
-    rows = []
-    for label, robot, change in track(list(cases()), description="walking", console=Console(stderr=True)):
-        results = []
-        for law, lines in (("default", default_lines), ("paper", paper_lines)):
-            results.append("; ".join(lines(walk(robot, law, change))) or "-")
-        rows.append([label, *results])
     print("| changed | default law breaks | literal law breaks |")
     print("|---|---|---|")
-    for cells in rows:
-        print("| " + " | ".join(cells) + " |")
+    for label, robot, change in track(list(cases()), description="walking", console=Console(stderr=True)):
+        results = [
+            "; ".join(lines(walk(robot, law, change))) or "-"
+            for law, lines in (("default", default_lines), ("paper", paper_lines))
+        ]
+        print("| " + " | ".join([label, *results]) + " |", flush=True)
 
 
 if __name__ == "__main__":

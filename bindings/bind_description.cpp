@@ -5,12 +5,13 @@ using namespace zmpwalk;
 
 void bind_description(py::module_& m) {
   py::class_<Foot>(m, "Foot", "One flat foot: body, sole frame and size, and the six joints of its leg, hip to ankle.")
-      .def(py::init([](std::string body, std::string sole_site, const Vec3& sole_pos, const Eigen::Vector4d& sole_quat, double length,
-                       double width, std::vector<std::string> leg_joints) {
-             return Foot{std::move(body), std::move(sole_site), sole_pos, sole_quat, length, width, std::move(leg_joints)};
+      .def(py::init([](std::string body, std::string sole_site, const Vec3& sole_pos, const Eigen::Vector4d& sole_quat,
+                       double length, double width, std::vector<std::string> leg_joints) {
+             return Foot{std::move(body), std::move(sole_site), sole_pos, sole_quat, length,
+                         width,           std::move(leg_joints)};
            }),
-           py::kw_only(), "body"_a, "sole_site"_a = "", "sole_pos"_a, "sole_quat"_a = Eigen::Vector4d(1, 0, 0, 0), "length"_a,
-           "width"_a, "leg_joints"_a)
+           py::kw_only(), "body"_a, "sole_site"_a = "", "sole_pos"_a, "sole_quat"_a = Eigen::Vector4d(1, 0, 0, 0),
+           "length"_a, "width"_a, "leg_joints"_a)
       .def_readonly("body", &Foot::body, "body that carries the sole")
       .def_readonly("sole_site", &Foot::sole_site, "site at the sole's centre, or ''")
       .def_readonly("sole_pos", &Foot::sole_pos, "sole centre in the body's frame (3,) [m]")
@@ -21,8 +22,8 @@ void bind_description(py::module_& m) {
 
   py::class_<RobotDescription>(m, "RobotDescription", "What tells one robot from another; all addressing is by name.")
       .def(py::init([](std::string name, std::string root_joint, const Foot& left, const Foot& right,
-                       std::map<std::string, double> stand_joints, const Vec3& stand_base_pos, const Eigen::Vector4d& stand_base_quat,
-                       std::string stand_keyframe) {
+                       std::map<std::string, double> stand_joints, const Vec3& stand_base_pos,
+                       const Eigen::Vector4d& stand_base_quat, std::string stand_keyframe) {
              RobotDescription d;
              d.name = std::move(name);
              d.root_joint = std::move(root_joint);
@@ -57,5 +58,6 @@ void bind_description(py::module_& m) {
 
   m.def(
       "describe", [](const py::object& model) { return describe(model_of(model)); }, "model"_a,
-      "Description of a model with box sites left_sole, right_sole and a keyframe stand.\n\nRaises:\n    ModelError: says what is missing.");
+      "Description of a model with box sites left_sole, right_sole and a keyframe stand.\n\nRaises:\n    ModelError: "
+      "says what is missing.");
 }

@@ -13,34 +13,44 @@ struct PyRobot {
 };
 
 template <class Member>
-auto array(Member Dynamics::*member, const char* name) {
-  return std::make_pair(
-      py::cpp_function([member](const Dynamics& d) -> const Member& { return d.*member; }, py::return_value_policy::reference_internal),
-      py::cpp_function([member, name](Dynamics& d, const Member& value) {
-        require_shape(name, value.rows(), value.cols(), (d.*member).rows(), (d.*member).cols());
-        d.*member = value;
-      }));
+auto array(Member Dynamics::* member, const char* name) {
+  return std::make_pair(py::cpp_function([member](const Dynamics& d) -> const Member& { return d.*member; },
+                                         py::return_value_policy::reference_internal),
+                        py::cpp_function([member, name](Dynamics& d, const Member& value) {
+                          require_shape(name, value.rows(), value.cols(), (d.*member).rows(), (d.*member).cols());
+                          d.*member = value;
+                        }));
 }
 
 }  // namespace
 
 void bind_dynamics(py::module_& m) {
-  py::class_<SoleState>(m, "SoleState", "A sole frame: origin at the sole's centre, x forward, z up; all in world axes.")
+  py::class_<SoleState>(m, "SoleState",
+                        "A sole frame: origin at the sole's centre, x forward, z up; all in world axes.")
       .def_readwrite("p_WF", &SoleState::p_WF, "position (3,) [m]")
       .def_readwrite("R_WF", &SoleState::R_WF, "rotation (3, 3)")
       .def_readwrite("velocity", &SoleState::velocity, "linear, angular (6,) = J dq")
-      .def_readwrite("J", &SoleState::J, "(6, nv), linear rows first")
+      .def_property(
+          "J", [](const SoleState& s) -> const Mat6X& { return s.J; },
+          [](SoleState& s, const Mat6X& J) {
+            require_shape("J", J.rows(), J.cols(), s.J.rows(), s.J.cols());
+            s.J = J;
+          },
+          "(6, nv), linear rows first")
       .def_readwrite("drift", &SoleState::drift, "Jdot dq (6,)");
 
-  py::class_<Dynamics> dynamics(m, "Dynamics",
-                                "All that equations 1-15 need to know of a robot at one instant; plain arrays, no simulator.\n\n"
-                                "A ddq + b + g + J_c' f_c = S' tau, f_c the wrench of the robot on the ground.");
-  dynamics.def(py::init<int>(), "nv"_a).def_property_readonly("nv", &Dynamics::nv).def_property_readonly("joints", &Dynamics::joints);
+  py::class_<Dynamics> dynamics(
+      m, "Dynamics",
+      "All that equations 1-15 need to know of a robot at one instant; plain arrays, no simulator.\n\n"
+      "A ddq + b + g + J_c' f_c = S' tau, f_c the wrench of the robot on the ground.");
+  dynamics.def(py::init<int>(), "nv"_a)
+      .def_property_readonly("nv", &Dynamics::nv)
+      .def_property_readonly("joints", &Dynamics::joints);
   dynamics.def_readwrite("mass", &Dynamics::mass, "[kg]");
-#define ARRAY(name, doc)                                                  \
-  {                                                                       \
-    const auto [get, set] = array(&Dynamics::name, #name);                \
-    dynamics.def_property(#name, get, set, doc);                          \
+#define ARRAY(name, doc)                                   \
+  {                                                        \
+    const auto [get, set] = array(&Dynamics::name, #name); \
+    dynamics.def_property(#name, get, set, doc);           \
   }
   ARRAY(gravity, "acceleration of gravity (3,) [m/s^2]")
   ARRAY(q, "joint positions (joints,)")
@@ -57,26 +67,35 @@ void bind_dynamics(py::module_& m) {
   ARRAY(omega_WB, "base angular velocity, world axes (3,)")
 #undef ARRAY
   dynamics.def_property_readonly(
-      "left", [](Dynamics& d) -> SoleState& { return d.sole[kLeft]; }, py::return_value_policy::reference_internal, "left sole");
+      "left", [](Dynamics& d) -> SoleState& { return d.sole[kLeft]; }, py::return_value_policy::reference_internal,
+      "left sole");
   dynamics.def_property_readonly(
-      "right", [](Dynamics& d) -> SoleState& { return d.sole[kRight]; }, py::return_value_policy::reference_internal, "right sole");
+      "right", [](Dynamics& d) -> SoleState& { return d.sole[kRight]; }, py::return_value_policy::reference_internal,
+      "right sole");
   dynamics.def("__copy__", [](const Dynamics& d) { return Dynamics(d); });
 
-  py::class_<PyRobot>(m, "Robot", "One robot inside a MuJoCo model: mjModel and mjData on one side, Dynamics on the other.")
+  py::class_<PyRobot>(m, "Robot",
+                      "One robot inside a MuJoCo model: mjModel and mjData on one side, Dynamics on the other.")
       .def(py::init<const py::object&, const RobotDescription&>(), "model"_a, "description"_a,
            "Raises:\n    ModelError: the robot cannot be walked.")
       .def(
           "read",
           [](PyRobot& r, const py::object& data) {
             const mjData* d = data_of(data);
+            r.robot.require_data(d);
             if (!r.robot.is_finite(d)) throw InputError("data holds a position or velocity that is not finite");
             r.robot.read(d);
             return r.robot.dynamics();
           },
           "data"_a, "Dynamics of the state in `data` (a copy).\n\nRaises:\n    InputError: the state is not finite.")
       .def_property_readonly("joint_names", [](const PyRobot& r) { return r.robot.joint_names(); })
-      .def_property_readonly("leg_joints", [](const PyRobot& r) { return r.robot.leg_joints(); }, "joint indices of the two legs, hip to ankle")
-      .def_property_readonly("torque_limit", [](const PyRobot& r) { return r.robot.torque_limit(); }, "(joints,) [N m]")
-      .def_property_readonly("qpos_address", [](const PyRobot& r) { return r.robot.qpos_address(); }, "of the free joint in qpos")
-      .def_property_readonly("dof_address", [](const PyRobot& r) { return r.robot.dof_address(); }, "of the free joint in qvel");
+      .def_property_readonly(
+          "leg_joints", [](const PyRobot& r) { return r.robot.leg_joints(); },
+          "joint indices of the two legs, hip to ankle")
+      .def_property_readonly(
+          "torque_limit", [](const PyRobot& r) { return r.robot.torque_limit(); }, "(joints,) [N m]")
+      .def_property_readonly(
+          "qpos_address", [](const PyRobot& r) { return r.robot.qpos_address(); }, "of the free joint in qpos")
+      .def_property_readonly(
+          "dof_address", [](const PyRobot& r) { return r.robot.dof_address(); }, "of the free joint in qvel");
 }

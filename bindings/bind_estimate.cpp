@@ -9,30 +9,36 @@ void bind_estimate(py::module_& m) {
       .def_readonly("zmp", &ZmpEstimate::zmp, "in W, on the plane of the support sole (2,) [m]")
       .def_readonly("f_c", &ZmpEstimate::f_c, "robot on ground, left then right (12,), NaN in the air")
       .def_readonly("in_contact", &ZmpEstimate::in_contact);
-  py::class_<ZmpEstimator>(m, "ZmpEstimator", "Eq. 9-15: the ZMP that a torque will produce, before it is sent. One or two standing feet.")
+  py::class_<ZmpEstimator>(m, "ZmpEstimator",
+                           "Eq. 9-15: the ZMP that a torque will produce, before it is sent. One or two standing feet.")
       .def(py::init<int>(), "nv"_a)
       .def(
           "update",
-          [](ZmpEstimator& e, const Eigen::Ref<const RowMatX>& A, const VecX& b, const VecX& g, const Eigen::Ref<const RowMatX>& J_c,
-             const VecX& drift_c, const std::array<bool, 2>& standing, const std::array<Vec3, 2>& soles, const std::string& support) {
-            if (support != "left" && support != "right") throw InputError("support = '" + support + "' is unknown; there are: left, right");
+          [](ZmpEstimator& e, const Eigen::Ref<const RowMatX>& A, const VecX& b, const VecX& g,
+             const Eigen::Ref<const RowMatX>& J_c, const VecX& drift_c, const std::array<bool, 2>& standing,
+             const std::array<Vec3, 2>& soles, const std::string& support) {
+            if (support != "left" && support != "right")
+              throw InputError("support = '" + support + "' is unknown; there are: left, right");
             const long rows = 6 * (standing[kLeft] + standing[kRight]);
             require_shape("J_c", J_c.rows(), J_c.cols(), rows, J_c.cols());
             e.update(A, b, g, J_c, drift_c, standing, soles, support == "left" ? kLeft : kRight);
           },
           "A"_a, "b"_a, "g"_a, "J_c"_a, "drift_c"_a, "standing"_a, "soles"_a, "support"_a,
           "Takes the state of one instant.\n\nArgs:\n    A (nv, nv), b, g (nv,): inertia, velocity and gravity terms.\n"
-          "    J_c (6 k, nv), drift_c (6 k,): of the k standing feet, left before right.\n    standing: (left, right).\n"
-          "    soles: sole centres in W (2, 3) [m].\n    support: foot whose sole plane carries the ZMP.\n\nRaises:\n    DimensionError, InputError.")
+          "    J_c (6 k, nv), drift_c (6 k,): of the k standing feet, left before right.\n    standing: (left, "
+          "right).\n"
+          "    soles: sole centres in W (2, 3) [m].\n    support: foot whose sole plane carries the ZMP.\n\nRaises:\n  "
+          "  DimensionError, InputError.")
       .def("estimate", &ZmpEstimator::estimate, "tau"_a, "ZMP and wrenches of joint torque (joints,) [N m].");
   m.def("zmp_of_wrench", &zmp_of_wrench, "F"_a, "M"_a, "Eq. 14, 15: (-M_y / F_z, M_x / F_z) (2,) [m].");
   m.def(
       "zmp_bounds",
-      [](double length, double width, const Vec2& ankle, double pitch_torque, double roll_torque, double weight, double sole_fraction,
-         double torque_fraction) {
-        const ZmpBounds b = zmp_bounds({length, width, ankle, pitch_torque, roll_torque}, weight, sole_fraction, torque_fraction);
+      [](double length, double width, const Vec2& ankle, double pitch_torque, double roll_torque, double weight,
+         double sole_fraction, double torque_fraction) {
+        const ZmpBounds b =
+            zmp_bounds({length, width, ankle, pitch_torque, roll_torque}, weight, sole_fraction, torque_fraction);
         return std::make_pair(b.lower, b.upper);
       },
-      "length"_a, "width"_a, "ankle"_a, "pitch_torque"_a, "roll_torque"_a, "weight"_a, "sole_fraction"_a = 0.72, "torque_fraction"_a = 0.9,
-      "Designed bounds of the ZMP about the sole's centre (lower, upper), each (2,) [m].");
+      "length"_a, "width"_a, "ankle"_a, "pitch_torque"_a, "roll_torque"_a, "weight"_a, "sole_fraction"_a = 0.72,
+      "torque_fraction"_a = 0.9, "Designed bounds of the ZMP about the sole's centre (lower, upper), each (2,) [m].");
 }

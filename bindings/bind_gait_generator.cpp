@@ -7,9 +7,11 @@ namespace {
 
 /// A gait that keeps the profile it points to.
 struct PyGait {
-  PyGait(double com_height, double gravity, double timestep, double foot_distance, double sole_width, const VelocityProfile& p,
-         const WalkSettings& s)
-      : profile(p), pendulum(com_height, gravity), settings(resolve(s, scale(com_height, gravity, timestep, foot_distance))),
+  PyGait(double com_height, double gravity, double timestep, double foot_distance, double sole_width,
+         const VelocityProfile& p, const WalkSettings& s)
+      : profile(p),
+        pendulum(com_height, gravity),
+        settings(resolve(s, scale(com_height, gravity, timestep, foot_distance))),
         gait(settings, profile, 0.5 * sole_width) {}
   static RobotScale scale(double com_height, double gravity, double timestep, double foot_distance) {
     RobotScale out;
@@ -38,26 +40,40 @@ GaitInput input(double t, const Vec2& com, const Vec2& dcom, const std::array<Ve
 
 void bind_gait_generator(py::module_& m) {
   py::class_<GaitOutput>(m, "GaitOutput", "What the gait asks for in one cycle.")
-      .def_property_readonly("phase", [](const GaitOutput& o) { return static_cast<int>(o.phase.phase); }, "0 double, 1 single support")
+      .def_property_readonly(
+          "phase", [](const GaitOutput& o) { return static_cast<int>(o.phase.phase); }, "0 double, 1 single support")
       .def_property_readonly("step", [](const GaitOutput& o) { return o.phase.step; })
-      .def_property_readonly("phase_time", [](const GaitOutput& o) { return o.phase.time; }, "[s]")
-      .def_property_readonly("support", [](const GaitOutput& o) { return static_cast<int>(side_sign(o.support)); }, "+1 left, -1 right")
+      .def_property_readonly(
+          "phase_time", [](const GaitOutput& o) { return o.phase.time; }, "[s]")
+      .def_property_readonly(
+          "support", [](const GaitOutput& o) { return static_cast<int>(side_sign(o.support)); }, "+1 left, -1 right")
       .def_readonly("standing", &GaitOutput::standing, "(left, right)")
       .def_readonly("zmp_lateral", &GaitOutput::zmp_lateral, "reference ZMP along the support frame's y [m]")
       .def_readonly("w_T", &GaitOutput::w_T, "eq. 18 [m/s]")
-      .def_property_readonly("foothold", [](const GaitOutput& o) { return Vec3(o.foothold.p.x(), o.foothold.p.y(), o.foothold.yaw); }, "(x, y, yaw)")
-      .def_property_readonly("swing_position", [](const GaitOutput& o) { return o.swing_target.p; }, "(3,) [m]")
-      .def_property_readonly("swing_velocity", [](const GaitOutput& o) { return o.swing_target.v; }, "(3,) [m/s]")
-      .def_property_readonly("swing_acceleration", [](const GaitOutput& o) { return o.swing_target.a; }, "(3,) [m/s^2]");
-  py::class_<PyGait>(m, "GaitGenerator", "Phases, support switch, footholds and swing foot, from time and the COM alone.")
-      .def(py::init<double, double, double, double, double, const VelocityProfile&, const WalkSettings&>(), py::kw_only(), "com_height"_a,
-           "gravity"_a = 9.81, "timestep"_a = 0.001, "foot_distance"_a, "sole_width"_a, "profile"_a, "settings"_a = WalkSettings(),
-           "Args:\n    com_height: z_c [m].\n    gravity: [m/s^2].\n    timestep: control period [s].\n    foot_distance, sole_width: [m].\n"
+      .def_property_readonly(
+          "foothold", [](const GaitOutput& o) { return Vec3(o.foothold.p.x(), o.foothold.p.y(), o.foothold.yaw); },
+          "(x, y, yaw)")
+      .def_property_readonly(
+          "swing_position", [](const GaitOutput& o) { return o.swing_target.p; }, "(3,) [m]")
+      .def_property_readonly(
+          "swing_velocity", [](const GaitOutput& o) { return o.swing_target.v; }, "(3,) [m/s]")
+      .def_property_readonly(
+          "swing_acceleration", [](const GaitOutput& o) { return o.swing_target.a; }, "(3,) [m/s^2]");
+  py::class_<PyGait>(m, "GaitGenerator",
+                     "Phases, support switch, footholds and swing foot, from time and the COM alone.")
+      .def(py::init<double, double, double, double, double, const VelocityProfile&, const WalkSettings&>(),
+           py::kw_only(), "com_height"_a, "gravity"_a = 9.81, "timestep"_a = 0.001, "foot_distance"_a, "sole_width"_a,
+           "profile"_a, "settings"_a = WalkSettings(),
+           "Args:\n    com_height: z_c [m].\n    gravity: [m/s^2].\n    timestep: control period [s].\n    "
+           "foot_distance, sole_width: [m].\n"
            "    profile: VelocityProfile.\n    settings: WalkSettings.\n\nRaises:\n    InputError.")
       .def(
           "reset",
-          [](PyGait& g, const Vec2& com, const Vec2& dcom, const std::array<Vec3, 2>& soles) { g.gait.reset(input(0.0, com, dcom, soles), g.pendulum); },
-          "com"_a, "dcom"_a, "soles"_a, "Starts a walk from two standing feet: COM (2,), its velocity (2,), sole centres (2, 3).")
+          [](PyGait& g, const Vec2& com, const Vec2& dcom, const std::array<Vec3, 2>& soles) {
+            g.gait.reset(input(0.0, com, dcom, soles), g.pendulum);
+          },
+          "com"_a, "dcom"_a, "soles"_a,
+          "Starts a walk from two standing feet: COM (2,), its velocity (2,), sole centres (2, 3).")
       .def(
           "update",
           [](PyGait& g, double t, const Vec2& com, const Vec2& dcom, const std::array<Vec3, 2>& soles) {

@@ -5,26 +5,38 @@ using namespace zmpwalk;
 
 void bind_pendulum(py::module_& m) {
   const auto pair = [](const PendulumState& s) { return std::make_pair(s.x, s.v); };
-  py::class_<LinearInvertedPendulum>(m, "LinearInvertedPendulum", "x'' = (x - r) / T_c^2, T_c = sqrt(z_c / g).\n\nUsage:\n    >>> LinearInvertedPendulum(0.747).step(0.001, 0.0, 0.25, -0.09)")
-      .def(py::init<double, double>(), "z_c"_a, "gravity"_a = 9.81, "Args:\n    z_c: COM height [m].\n    gravity: [m/s^2].\n\nRaises:\n    InputError.")
+  py::class_<LinearInvertedPendulum>(m, "LinearInvertedPendulum",
+                                     "x'' = (x - r) / T_c^2, T_c = sqrt(z_c / g).\n\nUsage:\n    >>> "
+                                     "LinearInvertedPendulum(0.747).step(0.001, 0.0, 0.25, -0.09)")
+      .def(py::init<double, double>(), "z_c"_a, "gravity"_a = 9.81,
+           "Args:\n    z_c: COM height [m].\n    gravity: [m/s^2].\n\nRaises:\n    InputError.")
       .def_property_readonly("Tc", &LinearInvertedPendulum::Tc, "[s]")
       .def_property_readonly("omega", &LinearInvertedPendulum::omega, "1 / T_c [rad/s]")
       .def(
-          "step", [pair](const LinearInvertedPendulum& p, double dt, double x, double v, double r) { return pair(p.step(dt, {x, v}, r)); },
+          "step",
+          [pair](const LinearInvertedPendulum& p, double dt, double x, double v, double r) {
+            return pair(p.step(dt, {x, v}, r));
+          },
           "dt"_a, "x"_a, "v"_a, "r"_a, "Eq. 16 (corrected): (x_d, v_d) after dt [s] under reference ZMP r [m].")
       .def(
-          "step_lateral", [pair](const LinearInvertedPendulum& p, double dt, double y, double w) { return pair(p.step_lateral(dt, {y, w})); },
+          "step_lateral",
+          [pair](const LinearInvertedPendulum& p, double dt, double y, double w) {
+            return pair(p.step_lateral(dt, {y, w}));
+          },
           "dt"_a, "y"_a, "w"_a, "Eq. 17: (y_d, w_d), about a zero reference.")
       .def(
-          "velocity_after", [](const LinearInvertedPendulum& p, double T, double y, double w) { return p.velocity_after(T, {y, w}); },
+          "velocity_after",
+          [](const LinearInvertedPendulum& p, double T, double y, double w) { return p.velocity_after(T, {y, w}); },
           "T"_a, "y"_a, "w"_a, "Eq. 18: w(T) [m/s].")
       .def("acceleration", &LinearInvertedPendulum::acceleration, "x"_a, "r"_a, "(x - r) / T_c^2 [m/s^2].")
       .def("reference_for", &LinearInvertedPendulum::reference_for, "x"_a, "a"_a, "r = x - T_c^2 a [m].")
       .def(
-          "dcm", [](const LinearInvertedPendulum& p, double x, double v) { return p.dcm({x, v}); }, "x"_a, "v"_a, "x + T_c v [m].")
+          "dcm", [](const LinearInvertedPendulum& p, double x, double v) { return p.dcm({x, v}); }, "x"_a, "v"_a,
+          "x + T_c v [m].")
       .def("reference_to_reach", &LinearInvertedPendulum::reference_to_reach, "xi"_a, "xi_end"_a, "time"_a,
            "Constant reference ZMP that brings the DCM from xi to xi_end in time [s].")
-      .def("orbit_dcm", &LinearInvertedPendulum::orbit_dcm, "width"_a, "period"_a, "DCM of the symmetric lateral orbit half way between the feet [m].")
+      .def("orbit_dcm", &LinearInvertedPendulum::orbit_dcm, "width"_a, "period"_a,
+           "DCM of the symmetric lateral orbit half way between the feet [m].")
       .def("first_double_support", &LinearInvertedPendulum::first_double_support, "period"_a, "T_ss"_a,
            "First double support from which the symmetric orbit starts at rest [s].");
 }

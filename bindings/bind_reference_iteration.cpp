@@ -16,12 +16,14 @@ void bind_reference_iteration(py::module_& m) {
         return iterate_reference(estimate, zmp_des, zmp_des, Vec2::Ones(), threshold, max_passes);
       },
       "estimate"_a, "zmp_des"_a, "threshold"_a = 1e-3, "max_passes"_a = 200,
-      "The loop of III-B: r_ref <- r_ref + r_des - r_est(r_ref).\n\nArgs:\n    estimate: callable (2,) -> (2,).\n    zmp_des: (2,) [m].\n"
+      "The loop of III-B: r_ref <- r_ref + r_des - r_est(r_ref).\n\nArgs:\n    estimate: callable (2,) -> (2,).\n    "
+      "zmp_des: (2,) [m].\n"
       "    threshold: [m].");
   m.def(
       "solve_reference",
       [](const Estimate& estimate, const Vec2& zmp_des, const Mat2& slope, double threshold) {
         return solve_reference(estimate, zmp_des, zmp_des, Vec2::Ones(), slope, threshold);
       },
-      "estimate"_a, "zmp_des"_a, "slope"_a, "threshold"_a = 1e-3, "The fixed point of that loop in closed form, for an affine estimate.");
+      "estimate"_a, "zmp_des"_a, "slope"_a, "threshold"_a = 1e-3,
+      "The fixed point of that loop in closed form, for an affine estimate.");
 }

@@ -53,7 +53,8 @@ void set(WalkSettings& settings, const std::string& wanted, const py::handle& va
 py::dict to_dict(const WalkSettings& settings) {
   py::dict out;
   out["law"] = settings.law;
-  visit_settings(settings, [&](const char* name, const auto& member, const char*, const char*) { out[name] = to_python(member); });
+  visit_settings(
+      settings, [&](const char* name, const auto& member, const char*, const char*) { out[name] = to_python(member); });
   return out;
 }
 
@@ -72,8 +73,9 @@ std::string documentation() {
     text += std::string("    ") + name + ": " + meaning + (*unit ? std::string(" [") + unit + "]" : "") + ". Default " +
             std::string(py::repr(to_python(member))) + ".\n";
   });
-  return text + "\nRaises:\n    InputError: an unknown name or a value of the wrong type.\n\nUsage:\n"
-                "    >>> WalkSettings(law='paper', footsteps='absolute')\n";
+  return text +
+         "\nRaises:\n    InputError: an unknown name or a value of the wrong type.\n\nUsage:\n"
+         "    >>> WalkSettings(law='paper', footsteps='absolute')\n";
 }
 
 }  // namespace
@@ -89,13 +91,15 @@ void bind_settings(py::module_& m) {
     const std::string key = name;
     const std::string doc = std::string(meaning) + (*unit ? std::string(" [") + unit + "]" : "");
     cls.def_property(
-        name,
-        py::cpp_function([key](const WalkSettings& s) { return py::object(to_dict(s)[py::str(key)]); }),
+        name, py::cpp_function([key](const WalkSettings& s) { return py::object(to_dict(s)[py::str(key)]); }),
         py::cpp_function([key](WalkSettings& s, const py::object& value) { set(s, key, value); }), doc.c_str());
   });
   cls.def("to_dict", &to_dict, "All settings by name, as plain Python values.");
   cls.def("__repr__", [](const WalkSettings& s) { return "WalkSettings(" + std::string(py::str(to_dict(s))) + ")"; });
-  cls.def("__eq__", [](const WalkSettings& a, const WalkSettings& b) { return py::repr(to_dict(a)).equal(py::repr(to_dict(b))); });
+  cls.def(
+      "__eq__",
+      [](const WalkSettings& a, const WalkSettings& b) { return py::repr(to_dict(a)).equal(py::repr(to_dict(b))); },
+      py::is_operator());
   cls.def("__copy__", [](const WalkSettings& s) { return s; });
   cls.def("__deepcopy__", [](const WalkSettings& s, const py::dict&) { return s; });
   cls.def(py::pickle([](const WalkSettings& s) { return to_dict(s); },

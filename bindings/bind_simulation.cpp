@@ -28,15 +28,18 @@ py::tuple run(WalkingController& controller, double duration, const py::object& 
   RunResult result;
   {
     py::gil_scoped_release unlocked;
-    result = simulation.run(duration, recorder, [&](double t) {
-      py::gil_scoped_acquire locked;
-      raised = PyErr_CheckSignals() != 0;  // Ctrl-C
-      if (raised || on_progress.is_none()) return !raised;
-      PyObject* answer = PyObject_CallFunction(on_progress.ptr(), "dd", t, duration);
-      raised = answer == nullptr;
-      Py_XDECREF(answer);
-      return !raised;
-    }, 0.05);
+    result = simulation.run(
+        duration, recorder,
+        [&](double t) {
+          py::gil_scoped_acquire locked;
+          raised = PyErr_CheckSignals() != 0;  // Ctrl-C
+          if (raised || on_progress.is_none()) return !raised;
+          PyObject* answer = PyObject_CallFunction(on_progress.ptr(), "dd", t, duration);
+          raised = answer == nullptr;
+          Py_XDECREF(answer);
+          return !raised;
+        },
+        0.05);
   }
   if (raised) throw py::error_already_set();
   py::dict info;
@@ -51,17 +54,22 @@ py::tuple run(WalkingController& controller, double duration, const py::object& 
 }  // namespace
 
 void bind_simulation(py::module_& m) {
-  py::class_<Recorder>(m, "Recorder", "Cycle records as columns; row k is the state before step k and what was decided there.")
-      .def(py::init([](const WalkingController& c) { return std::make_unique<Recorder>(c); }), "controller"_a, py::keep_alive<1, 2>())
+  py::class_<Recorder>(m, "Recorder",
+                       "Cycle records as columns; row k is the state before step k and what was decided there.")
+      .def(py::init([](const WalkingController& c) { return std::make_unique<Recorder>(c); }), "controller"_a,
+           py::keep_alive<1, 2>())
       .def(
-          "add", [](Recorder& r, const CycleOutput& out, const py::object& data) { r.add(out, data_of(data)); }, "out"_a, "data"_a,
-          "Adds one row; call right after mj_step, while `data` holds the contact forces of this cycle. Held cycles add none.")
+          "add", [](Recorder& r, const CycleOutput& out, const py::object& data) { r.add(out, data_of(data)); },
+          "out"_a, "data"_a,
+          "Adds one row; call right after mj_step, while `data` holds the contact forces of this cycle. Held cycles "
+          "add none.")
       .def("columns", &columns_of, "Columns by name, (T,) or (T, n).")
       .def("__len__", &Recorder::rows);
 
   m.def("simulate", &run, "controller"_a, "duration"_a, "on_progress"_a = py::none(),
         "Closed loop in C++ from the start pose, the interpreter's lock released.\n\n"
-        "Args:\n    controller: WalkingController.\n    duration: [s].\n    on_progress: called as f(t, duration) about 20 times a second; may raise.\n\n"
+        "Args:\n    controller: WalkingController.\n    duration: [s].\n    on_progress: called as f(t, duration) "
+        "about 20 times a second; may raise.\n\n"
         "Returns:\n    (columns, info).\n\nRaises:\n    InputError; whatever on_progress raises; KeyboardInterrupt.");
   m.def(
       "measured_zmp",
@@ -70,6 +78,7 @@ void bind_simulation(py::module_& m) {
         return measured_zmp(measure_contact(robot, data_of(data)));
       },
       "model"_a, "data"_a, "description"_a,
-      "ZMP of MuJoCo's contact forces under the feet (2,) [m], W; NaN without contact. After mj_step it belongs to the state before it.");
+      "ZMP of MuJoCo's contact forces under the feet (2,) [m], W; NaN without contact. After mj_step it belongs to the "
+      "state before it.");
   m.def("mujoco_version", &mujoco_compat::compiled_version, "MuJoCo version this module was compiled against.");
 }

@@ -5,12 +5,14 @@ using namespace zmpwalk;
 
 void bind_task_space(py::module_& m) {
   py::class_<TaskSpace>(m, "TaskSpace", "Eq. 1 and 3-7 as printed (with the erratum of (7)): the definition.")
-      .def(py::init<const ContactSpace&, const VecX&, const VecX&, const Eigen::Ref<const RowMatX>&, const VecX&>(), "contact"_a, "b"_a,
-           "g"_a, "J"_a, "drift"_a,
-           "Args:\n    contact: ContactSpace of the same instant.\n    b, g: (nv,).\n    J: stacked task Jacobian (m, nv).\n    drift: Jdot dq (m,).\n\n"
+      .def(py::init<const ContactSpace&, const VecX&, const VecX&, const Eigen::Ref<const RowMatX>&, const VecX&>(),
+           "contact"_a, "b"_a, "g"_a, "J"_a, "drift"_a,
+           "Args:\n    contact: ContactSpace of the same instant.\n    b, g: (nv,).\n    J: stacked task Jacobian (m, "
+           "nv).\n    drift: Jdot dq (m,).\n\n"
            "Raises:\n    DimensionError; InputError: the tasks conflict.")
       .def_readonly("Lambda", &TaskSpace::Lambda, "eq. 3 (m, m)")
-      .def_property_readonly("Jbar", [](const TaskSpace& t) { return RowMatX(t.JbarT.transpose()); }, "eq. 4, transposed (nv, m)")
+      .def_property_readonly(
+          "Jbar", [](const TaskSpace& t) { return RowMatX(t.JbarT.transpose()); }, "eq. 4, transposed (nv, m)")
       .def_readonly("mu", &TaskSpace::mu, "eq. 5 (m,)")
       .def_readonly("p", &TaskSpace::p, "eq. 6 (m,)")
       .def_readonly("J_k", &TaskSpace::J_k, "modified task Jacobian (m, joints)")

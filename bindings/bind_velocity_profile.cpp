@@ -5,7 +5,8 @@ using namespace zmpwalk;
 
 namespace {
 
-VelocityProfile make(const std::vector<double>& t, const Eigen::Ref<const RowMatX>& v, const std::string& interpolation) {
+VelocityProfile make(const std::vector<double>& t, const Eigen::Ref<const RowMatX>& v,
+                     const std::string& interpolation) {
   if (interpolation != "hold" && interpolation != "linear")
     throw InputError("interpolation = '" + interpolation + "' is unknown; there are: hold, linear");
   require_shape("v", v.rows(), v.cols(), static_cast<long>(t.size()), 3);
@@ -23,13 +24,15 @@ RowMatX velocities(const VelocityProfile& p) {
 }  // namespace
 
 void bind_velocity_profile(py::module_& m) {
-  py::class_<VelocityProfile>(m, "VelocityProfile",
-                              "Planned velocity of the COM over time, (v_x, v_y, w_z) in the heading frame [m/s, m/s, rad/s].")
+  py::class_<VelocityProfile>(
+      m, "VelocityProfile",
+      "Planned velocity of the COM over time, (v_x, v_y, w_z) in the heading frame [m/s, m/s, rad/s].")
       .def(py::init(&make), "t"_a, "v"_a, "interpolation"_a = "hold",
            "Args:\n    t: knot times (n,) [s], from 0, increasing.\n    v: velocities (n, 3).\n"
            "    interpolation: 'hold' or 'linear'.\n\nRaises:\n    InputError, DimensionError.")
       .def("velocity", &VelocityProfile::velocity, "t"_a, "Velocity (3,) at time t [s]; the last value holds.")
-      .def("displacement", &VelocityProfile::displacement, "t0"_a, "t1"_a, "Integral of the velocity from t0 to t1 (3,) [m, m, rad].")
+      .def("displacement", &VelocityProfile::displacement, "t0"_a, "t1"_a,
+           "Integral of the velocity from t0 to t1 (3,) [m, m, rad].")
       .def_property_readonly("max_speed", &VelocityProfile::max_speed, "Largest |(v_x, v_y)| [m/s].")
       .def_property_readonly("t", &VelocityProfile::t, "Knot times [s].")
       .def_property_readonly("v", &velocities, "Knot velocities (n, 3).")

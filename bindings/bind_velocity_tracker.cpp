@@ -11,11 +11,14 @@ void bind_velocity_tracker(py::module_& m) {
              return VelocityTracker(parsed, gain, time, deadband);
            }),
            "law"_a = "smooth", "gain"_a = 5.0, "time"_a = 0.05, "deadband"_a = 2e-4,
-           "Args:\n    law: 'smooth' or 'bang_bang' (the paper's).\n    gain: [1/s].\n    time: [s].\n    deadband: [m].\n\nRaises:\n    InputError.")
+           "Args:\n    law: 'smooth' or 'bang_bang' (the paper's).\n    gain: [1/s].\n    time: [s].\n    deadband: "
+           "[m].\n\nRaises:\n    InputError.")
       .def("reset", &VelocityTracker::reset)
-      .def("acceleration", &VelocityTracker::acceleration, "v_plan"_a, "v"_a, "Smooth law: (v_plan - gain I - v) / time [m/s^2].")
+      .def("acceleration", &VelocityTracker::acceleration, "v_plan"_a, "v"_a,
+           "Smooth law: (v_plan - gain I - v) / time [m/s^2].")
       .def("advance", &VelocityTracker::advance, "v_des"_a, "v_plan"_a, "dt"_a, "Adds one cycle to the integral.")
       .def_property_readonly("integral", &VelocityTracker::integral, "integral of v_des - v_plan [m]")
-      .def_property_readonly("drive", [](const VelocityTracker& t) { return static_cast<int>(t.drive()); },
-                             "bang-bang law: -1 ZMP to the lower bound, +1 to the upper, 0 track");
+      .def_property_readonly(
+          "drive", [](const VelocityTracker& t) { return static_cast<int>(t.drive()); },
+          "bang-bang law: -1 ZMP to the lower bound, +1 to the upper, 0 track");
 }

@@ -4,7 +4,8 @@
 using namespace zmpwalk;
 
 void bind_walking_controller(py::module_& m) {
-  py::class_<CycleOutput> out(m, "CycleOutput", "Everything one control cycle decided. SI units, world frame, unless said.");
+  py::class_<CycleOutput> out(m, "CycleOutput",
+                              "Everything one control cycle decided. SI units, world frame, unless said.");
 #define FIELD(name, doc) out.def_readonly(#name, &CycleOutput::name, doc)
   FIELD(t, "simulation time of the state [s]");
   FIELD(com, "COM (3,) [m]");
@@ -36,55 +37,69 @@ void bind_walking_controller(py::module_& m) {
   FIELD(damped, "a straight leg damped the motion");
   FIELD(fresh, "computed in this call, not held from an earlier one");
 #undef FIELD
-  out.def_property_readonly("foot_left", [](const CycleOutput& o) { return o.foot[kLeft]; }, "left sole pose: position, quaternion (7,)");
-  out.def_property_readonly("foot_right", [](const CycleOutput& o) { return o.foot[kRight]; }, "right sole pose: position, quaternion (7,)");
+  out.def_property_readonly(
+      "foot_left", [](const CycleOutput& o) { return o.foot[kLeft]; }, "left sole pose: position, quaternion (7,)");
+  out.def_property_readonly(
+      "foot_right", [](const CycleOutput& o) { return o.foot[kRight]; }, "right sole pose: position, quaternion (7,)");
   out.def_property_readonly("fell", [](const CycleOutput& o) { return o.fell != Fall::kNone; }, "the robot fell");
   out.def_property_readonly("fall_cause", [](const CycleOutput& o) { return to_string(o.fell); }, "why, or ''");
   out.def("__copy__", [](const CycleOutput& o) { return CycleOutput(o); });
   out.def("__repr__", [](const CycleOutput& o) {
     const Eigen::IOFormat row(4, Eigen::DontAlignCols, ", ", ", ", "", "", "[", "]");
     std::ostringstream text;
-    text << "CycleOutput(t=" << o.t << ", phase=" << (o.phase ? "single" : "double") << ", support=" << (o.support > 0 ? "left" : "right")
-         << ", com=" << o.com.format(row) << ", zmp_est=" << o.zmp_est.format(row) << ", iterations=" << o.iterations << ")";
+    text << "CycleOutput(t=" << o.t << ", phase=" << (o.phase ? "single" : "double")
+         << ", support=" << (o.support > 0 ? "left" : "right") << ", com=" << o.com.format(row)
+         << ", zmp_est=" << o.zmp_est.format(row) << ", iterations=" << o.iterations << ")";
     return text.str();
   });
 
-  py::class_<WalkingController>(
-      m, "WalkingController",
-      "One update(data) -> CycleOutput per physics step: state in, torque out.\n\n"
-      "Takes eq. (16) for the desired COM state, (1)-(8) for the torque, (9)-(15) for the ZMP it will produce, III-B to correct it.")
+  py::class_<WalkingController>(m, "WalkingController",
+                                "One update(data) -> CycleOutput per physics step: state in, torque out.\n\n"
+                                "Takes eq. (16) for the desired COM state, (1)-(8) for the torque, (9)-(15) for the "
+                                "ZMP it will produce, III-B to correct it.")
       .def(py::init([](const py::object& model, const RobotDescription& description, const WalkSettings& settings,
                        const VelocityProfile& profile) {
              return std::make_unique<WalkingController>(model_of(model), description, settings, profile);
            }),
-           "model"_a, "description"_a, "settings"_a = WalkSettings(), "profile"_a = VelocityProfile::paper(), py::keep_alive<1, 2>(),
-           "Args:\n    model: mujoco.MjModel; kept alive.\n    description: RobotDescription.\n    settings: WalkSettings.\n"
-           "    profile: VelocityProfile; the paper's by default.\n\nRaises:\n    ModelError: the robot cannot be walked.\n"
+           "model"_a, "description"_a, "settings"_a = WalkSettings(), "profile"_a = VelocityProfile::paper(),
+           py::keep_alive<1, 2>(),
+           "Args:\n    model: mujoco.MjModel; kept alive.\n    description: RobotDescription.\n    settings: "
+           "WalkSettings.\n"
+           "    profile: VelocityProfile; the paper's by default.\n\nRaises:\n    ModelError: the robot cannot be "
+           "walked.\n"
            "    InputError: a setting breaks a rule, or the profile is faster than the legs reach.")
       .def(
           "reset", [](WalkingController& c, const py::object& data) { c.reset(data_of(data)); }, "data"_a,
-          "Reads the state and starts a walk there; moves nothing.\n\nRaises:\n    InputError: the state is not finite.")
+          "Reads the state and starts a walk there; moves nothing.\n\nRaises:\n    InputError: the state is not "
+          "finite.")
       .def(
           "update",
-          [](WalkingController& c, const py::object& data) -> const CycleOutput& { return c.update(data_of(data)); }, "data"_a,
-          py::return_value_policy::copy,
+          [](WalkingController& c, const py::object& data) -> const CycleOutput& { return c.update(data_of(data)); },
+          "data"_a, py::return_value_policy::copy,
           "Computes the torque for the state in `data`, writes data.ctrl, returns a copy of what was decided.\n\n"
           "Raises:\n    InputError: the state is not finite, or reset() was not called; nothing is changed.")
-      .def_property_readonly("settings", &WalkingController::settings, "WalkSettings in force, every NaN filled in")
+      .def_property_readonly(
+          "settings", [](const WalkingController& c) { return c.settings(); },
+          "WalkSettings in force, every NaN filled in")
       .def_property_readonly("profile", &WalkingController::profile)
       .def_property_readonly("description", [](const WalkingController& c) { return c.robot().description(); })
       .def_property_readonly("joint_names", [](const WalkingController& c) { return c.robot().joint_names(); })
-      .def_property_readonly("torque_limit", [](const WalkingController& c) { return c.robot().torque_limit(); }, "(nu,) [N m]")
-      .def_property_readonly("mass", [](const WalkingController& c) { return c.robot().dynamics().mass; }, "[kg]")
+      .def_property_readonly(
+          "torque_limit", [](const WalkingController& c) { return c.robot().torque_limit(); }, "(nu,) [N m]")
+      .def_property_readonly(
+          "mass", [](const WalkingController& c) { return c.robot().dynamics().mass; }, "[kg]")
       .def_property_readonly("com_height", &WalkingController::com_height, "z_c over the soles [m]")
       .def_property_readonly("Tc", &WalkingController::Tc, "sqrt(z_c / g) [s]")
-      .def_property_readonly("speed_limit", &WalkingController::speed_limit, "largest speed the legs reach at this step period [m/s]")
+      .def_property_readonly("speed_limit", &WalkingController::speed_limit,
+                             "largest speed the legs reach at this step period [m/s]")
       .def("plan_mismatch", &WalkingController::plan_mismatch, "duration"_a,
-           "Largest speed of the footsteps minus the planned one within `duration` [s]; 0 where steps follow the profile [m/s].")
+           "Largest speed of the footsteps minus the planned one within `duration` [s]; 0 where steps follow the "
+           "profile [m/s].")
       .def(
           "zmp_bounds",
           [](const WalkingController& c, const std::string& side) {
-            if (side != "left" && side != "right") throw InputError("side = '" + side + "' is unknown; there are: left, right");
+            if (side != "left" && side != "right")
+              throw InputError("side = '" + side + "' is unknown; there are: left, right");
             const ZmpBounds& b = c.bounds(side == "left" ? kLeft : kRight);
             return std::make_pair(b.lower, b.upper);
           },

@@ -12,6 +12,12 @@ Side side_of(const std::string& name) {
   throw InputError("support = '" + name + "' is unknown; there are: left, right");
 }
 
+/// Keeps the Dynamics it was last prepared with, which the core only points to.
+struct PyWholeBody : WholeBodyController {
+  using WholeBodyController::WholeBodyController;
+  py::object dynamics;
+};
+
 }  // namespace
 
 void bind_whole_body(py::module_& m) {
@@ -29,40 +35,50 @@ void bind_whole_body(py::module_& m) {
       .def_readonly("ddq", &WholeBodyResult::ddq, "(nv,)")
       .def_readonly("f_c", &WholeBodyResult::f_c, "robot on ground, left then right (12,), NaN in the air")
       .def_readonly("damped", &WholeBodyResult::damped, "a leg was near singular");
-  py::class_<WholeBodyController>(
+  py::class_<PyWholeBody>(
       m, "WholeBodyController",
       "Contact-consistent whole-body control of a biped, eq. 1-7: COM, trunk, swing foot and posture, stacked.\n\n"
-      "Everything is affine in the COM's horizontal acceleration: prepare() once, then zmp() and solve() cost next to nothing.")
-      .def(py::init([](int nv, const std::array<std::vector<int>, 2>& legs, bool textbook, bool posture_task, bool wrench_distribution,
-                       double contact_damping) {
+      "Everything is affine in the COM's horizontal acceleration: prepare() once, then zmp() and solve() cost next to "
+      "nothing.")
+      .def(py::init([](int nv, const std::array<std::vector<int>, 2>& legs, bool textbook, bool posture_task,
+                       bool wrench_distribution, double contact_damping) {
              WholeBodyOptions options;
              options.textbook = textbook;
              options.posture_task = posture_task;
              options.wrench_distribution = wrench_distribution;
              options.contact_damping = contact_damping;
-             return WholeBodyController(nv, legs, options);
+             return std::make_unique<PyWholeBody>(nv, legs, options);
            }),
-           "nv"_a, "legs"_a, py::kw_only(), "textbook"_a = false, "posture_task"_a = true, "wrench_distribution"_a = true,
-           "contact_damping"_a = 0.0,
+           "nv"_a, "legs"_a, py::kw_only(), "textbook"_a = false, "posture_task"_a = true,
+           "wrench_distribution"_a = true, "contact_damping"_a = 0.0,
            "Args:\n    nv: velocity coordinates.\n    legs: joint indices of the two legs, six each.\n"
-           "    textbook: equations as printed instead of the direct path; the same numbers.\n\nRaises:\n    DimensionError.")
+           "    textbook: equations as printed instead of the direct path; the same numbers.\n\nRaises:\n    "
+           "DimensionError.")
       .def(
           "prepare",
-          [](WholeBodyController& c, const Dynamics& dynamics, const std::array<bool, 2>& standing, const std::string& support,
-             const TaskAccelerations& f_star) {
+          [](PyWholeBody& c, const py::object& dynamics, const std::array<bool, 2>& standing,
+             const std::string& support, const TaskAccelerations& f_star) {
             Stance stance;
             stance.standing = standing;
             stance.support = side_of(support);
-            c.prepare(dynamics, stance, f_star);
+            if ((standing[kLeft] || standing[kRight]) && !standing[stance.support])
+              throw InputError("support = '" + support + "' does not stand");
+            c.prepare(dynamics.cast<const Dynamics&>(), stance, f_star);
+            c.dynamics = dynamics;
           },
-          "dynamics"_a, "standing"_a, "support"_a, "f_star"_a, py::keep_alive<1, 2>(),
-          "Takes one instant.\n\nArgs:\n    dynamics: Dynamics.\n    standing: (left, right).\n    support: 'left' or 'right', about which the ZMP is taken.\n"
-          "    f_star: TaskAccelerations; com's x and y are not used here.\n\nRaises:\n    InputError: no foot stands. DimensionError.")
-      .def("zmp", &WholeBodyController::zmp, "f_xy"_a, "ZMP in W (2,) [m] for horizontal COM acceleration (2,) [m/s^2]; affine.")
-      .def_property_readonly("zmp_slope", &WholeBodyController::zmp_slope, "d zmp / d f_xy (2, 2) [s^2]")
+          "dynamics"_a, "standing"_a, "support"_a, "f_star"_a,
+          "Takes one instant.\n\nArgs:\n    dynamics: Dynamics.\n    standing: (left, right).\n    support: 'left' or "
+          "'right', about which the ZMP is taken.\n"
+          "    f_star: TaskAccelerations; com's x and y are not used here.\n\nRaises:\n    InputError: no foot stands. "
+          "DimensionError.")
+      .def(
+          "zmp", [](const PyWholeBody& c, const Vec2& f_xy) { return c.zmp(f_xy); }, "f_xy"_a,
+          "ZMP in W (2,) [m] for horizontal COM acceleration (2,) [m/s^2]; affine.")
+      .def_property_readonly(
+          "zmp_slope", [](const PyWholeBody& c) { return c.zmp_slope(); }, "d zmp / d f_xy (2, 2) [s^2]")
       .def(
           "solve",
-          [](const WholeBodyController& c, const Vec2& f_xy) {
+          [](const PyWholeBody& c, const Vec2& f_xy) {
             WholeBodyResult out = c.result();
             c.solve(f_xy, out);
             return out;

@@ -96,7 +96,8 @@ WalkSettings resolve(const WalkSettings& settings, const RobotScale& robot) {
   fill(s.T_ss, 0.8 * period);
   require_positive("T_ds", s.T_ds);
   require_positive("T_ss", s.T_ss);
-  fill(s.T_ds_first, LinearInvertedPendulum(robot.com_height, robot.gravity).first_double_support(s.T_ds + s.T_ss, s.T_ss));
+  fill(s.T_ds_first,
+       LinearInvertedPendulum(robot.com_height, robot.gravity).first_double_support(s.T_ds + s.T_ss, s.T_ss));
   fill(s.tracker_gain, 1.38 / Tc);
   fill(s.tracker_time, 0.18 * Tc);
   const auto gains = [&](double& kp, double& kd, double kp_ref, double kd_ref) {
@@ -113,8 +114,10 @@ WalkSettings resolve(const WalkSettings& settings, const RobotScale& robot) {
   // The two cubics of a lift h start with 6 h / (T/2)^2 and pass 1.5 h / (T/2); rotor and damping take at most this share of the knee.
   constexpr double kKneeShare = 0.55;
   const double half = 0.5 * s.T_ss;
-  const double knee_torque_per_lift = robot.knee_per_lift * (robot.knee_armature * 6.0 / (half * half) + robot.knee_damping * 1.5 / half);
-  const double knee_lift = knee_torque_per_lift > 0.0 ? kKneeShare * robot.knee_torque / knee_torque_per_lift : robot.com_height;
+  const double knee_torque_per_lift =
+      robot.knee_per_lift * (robot.knee_armature * 6.0 / (half * half) + robot.knee_damping * 1.5 / half);
+  const double knee_lift =
+      knee_torque_per_lift > 0.0 ? kKneeShare * robot.knee_torque / knee_torque_per_lift : robot.com_height;
   fill(s.step_height, std::min(0.0535 * robot.com_height, knee_lift));
   fill(s.foothold_reach, 0.11 * robot.com_height);
   fill(s.com_lead, 0.0134 * robot.com_height);
@@ -130,8 +133,8 @@ WalkSettings resolve(const WalkSettings& settings, const RobotScale& robot) {
   for (const double length : s.step_lengths) require_finite("step_lengths", length);
   const double ratio = s.control_dt / robot.timestep;
   if (!(ratio > 0.5) || std::abs(ratio - std::round(ratio)) > 1e-6)
-    throw InputError("control_dt = " + std::to_string(s.control_dt) + " s; it must be a multiple of the model's time step, " +
-                     std::to_string(robot.timestep) + " s");
+    throw InputError("control_dt = " + std::to_string(s.control_dt) +
+                     " s; it must be a multiple of the model's time step, " + std::to_string(robot.timestep) + " s");
   for (const auto& [name, value] : {std::pair<const char*, double>{"T_ds_first", s.T_ds_first},
                                     {"tracker_gain", s.tracker_gain},
                                     {"tracker_time", s.tracker_time},
@@ -147,7 +150,8 @@ WalkSettings resolve(const WalkSettings& settings, const RobotScale& robot) {
                                     {"fall_foot_tilt", s.fall_foot_tilt},
                                     {"singular_damping", s.singular_damping}})
     require_positive(name, value);
-  if (s.max_iterations < 1) throw InputError("max_iterations = " + std::to_string(s.max_iterations) + "; it must be at least 1");
+  if (s.max_iterations < 1)
+    throw InputError("max_iterations = " + std::to_string(s.max_iterations) + "; it must be at least 1");
   visit_settings(s, [](const char* name, auto& value, const char*, const char*) {
     if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>)
       if (!(value >= 0.0) || !std::isfinite(value))

@@ -28,15 +28,46 @@ bool diverged(const mjData* d) {
 }  // namespace
 
 Recorder::Recorder(const WalkingController& controller, double duration) : controller_(&controller) {
-  const auto rows = static_cast<std::size_t>(std::clamp(duration, 0.0, kReservedTime) / controller.settings().control_dt) + 2;
+  const auto rows =
+      static_cast<std::size_t>(std::clamp(duration, 0.0, kReservedTime) / controller.settings().control_dt) + 2;
   const int nv = controller.robot().nv(), joints = nv - 6;
-  const std::vector<std::pair<const char*, int>> layout{
-      {"t", 1}, {"com", 3}, {"dcom", 3}, {"com_des", 3}, {"dcom_des", 3}, {"v_plan", 3}, {"v_des", 3}, {"v_error_integral", 3},
-      {"zmp_des", 2}, {"zmp_ref", 2}, {"zmp_est", 2}, {"zmp_meas", 2}, {"zmp_lower", 2}, {"zmp_upper", 2}, {"zmp_first", 2},
-      {"zmp_slope", 2}, {"zmp_modified", 2}, {"phase", 1}, {"support", 1}, {"step", 1}, {"phase_time", 1}, {"w_T", 1},
-      {"iterations", 1}, {"foothold", 3}, {"foot_left", 7}, {"foot_right", 7}, {"tau", joints}, {"f_c", 12}, {"contact_wrench", 12},
-      {"torque_ratio", 1}, {"saturated", 1}, {"damped", 1}, {"self_contacts", 1}, {"joint_margin", 1}, {"fell", 1}, {"qpos", nv + 1},
-      {"qvel", nv}};
+  const std::vector<std::pair<const char*, int>> layout{{"t", 1},
+                                                        {"com", 3},
+                                                        {"dcom", 3},
+                                                        {"com_des", 3},
+                                                        {"dcom_des", 3},
+                                                        {"v_plan", 3},
+                                                        {"v_des", 3},
+                                                        {"v_error_integral", 3},
+                                                        {"zmp_des", 2},
+                                                        {"zmp_ref", 2},
+                                                        {"zmp_est", 2},
+                                                        {"zmp_meas", 2},
+                                                        {"zmp_lower", 2},
+                                                        {"zmp_upper", 2},
+                                                        {"zmp_first", 2},
+                                                        {"zmp_slope", 2},
+                                                        {"zmp_modified", 2},
+                                                        {"phase", 1},
+                                                        {"support", 1},
+                                                        {"step", 1},
+                                                        {"phase_time", 1},
+                                                        {"w_T", 1},
+                                                        {"iterations", 1},
+                                                        {"foothold", 3},
+                                                        {"foot_left", 7},
+                                                        {"foot_right", 7},
+                                                        {"tau", joints},
+                                                        {"f_c", 12},
+                                                        {"contact_wrench", 12},
+                                                        {"torque_ratio", 1},
+                                                        {"saturated", 1},
+                                                        {"damped", 1},
+                                                        {"self_contacts", 1},
+                                                        {"joint_margin", 1},
+                                                        {"fell", 1},
+                                                        {"qpos", nv + 1},
+                                                        {"qvel", nv}};
   for (const auto& [name, width] : layout) {
     columns_.push_back({name, width, {}});
     columns_.back().values.reserve(rows * static_cast<std::size_t>(width));
@@ -102,13 +133,15 @@ void Recorder::mark_fall() {
     if (column.name == "fell" && !column.values.empty()) column.values.back() = 1.0;
 }
 
-Simulation::Simulation(WalkingController& controller) : controller_(controller), data_(mj_makeData(controller.robot().model())) {
+Simulation::Simulation(WalkingController& controller)
+    : controller_(controller), data_(mj_makeData(controller.robot().model())) {
   controller.robot().description().place(controller.robot().model(), data_.get());
 }
 
 Simulation::~Simulation() = default;
 
-RunResult Simulation::run(double duration, Recorder& recorder, const std::function<bool(double)>& progress, double progress_interval) {
+RunResult Simulation::run(double duration, Recorder& recorder, const std::function<bool(double)>& progress,
+                          double progress_interval) {
   require_positive("duration", duration);
   const Robot& robot = controller_.robot();
   const mjModel* m = robot.model();
@@ -116,7 +149,8 @@ RunResult Simulation::run(double duration, Recorder& recorder, const std::functi
   controller_.reset(d);
   const double t_end = d->time + duration, dt = m->opt.timestep;
   RunResult result;
-  result.cycle_us.reserve(static_cast<std::size_t>(std::min(duration, kReservedTime) / controller_.settings().control_dt) + 2);
+  result.cycle_us.reserve(
+      static_cast<std::size_t>(std::min(duration, kReservedTime) / controller_.settings().control_dt) + 2);
   double airborne = 0.0;
   const auto start = std::chrono::steady_clock::now();
   double reported = 0.0;
@@ -128,7 +162,9 @@ RunResult Simulation::run(double duration, Recorder& recorder, const std::functi
     const auto before = std::chrono::steady_clock::now();
     const CycleOutput& out = controller_.update(d);
     if (out.fresh) result.cycle_us.push_back(1e6 * seconds_since(before));
+    const double t = d->time;
     mj_step(m, d);
+    if (diverged(d)) d->time = t + dt;  // MuJoCo has reset itself, and with it the clock
     recorder.add(out, d);
     if (out.fresh) {
       const bool touches = !std::isnan(recorder.contact().wrench[2]) || !std::isnan(recorder.contact().wrench[8]);

@@ -25,7 +25,8 @@ RobotScale scale_of(const Robot& robot) {
                    (dyn.sole[kLeft].p_WF - dyn.sole[kRight].p_WF).head<2>().norm()};
   // Law of cosines over hip, knee and ankle: d(length)/d(angle) = thigh shank sin(angle) / length.
   const double length = leg.hip_to_ankle.norm();
-  const double cosine = (length * length - leg.thigh * leg.thigh - leg.shank * leg.shank) / (2.0 * leg.thigh * leg.shank);
+  const double cosine =
+      (length * length - leg.thigh * leg.thigh - leg.shank * leg.shank) / (2.0 * leg.thigh * leg.shank);
   const int dof = robot.dof_address() + 6 + leg.knee;
   scale.knee_per_lift = length / (leg.thigh * leg.shank * std::sqrt(std::max(1.0 - cosine * cosine, 1e-4)));
   scale.knee_armature = robot.model()->dof_armature[dof];
@@ -41,7 +42,8 @@ ZmpBounds bounds_of(const Robot& robot, Side side, const WalkSettings& settings)
   const Dynamics& dyn = robot.dynamics();
   const int pitch = robot.pitch_joint(side, 4, 6);
   const int roll = leg[4] == pitch ? leg[5] : leg[4];
-  const SoleLimits limits{foot.length, foot.width, ankle.head<2>(), robot.torque_limit()[pitch], robot.torque_limit()[roll]};
+  const SoleLimits limits{foot.length, foot.width, ankle.head<2>(), robot.torque_limit()[pitch],
+                          robot.torque_limit()[roll]};
   return zmp_bounds(limits, dyn.mass * dyn.gravity.norm(), settings.sole_fraction, settings.ankle_torque_fraction);
 }
 
@@ -49,18 +51,24 @@ ZmpBounds bounds_of(const Robot& robot, Side side, const WalkSettings& settings)
 
 std::string to_string(Fall fall) {
   switch (fall) {
-    case Fall::kNone: return "";
-    case Fall::kHeight: return "the COM came too low over the support foot";
-    case Fall::kTilt: return "the trunk tilted too far";
-    case Fall::kFootTipped: return "the support foot tipped over its edge";
-    case Fall::kNonFinite: return "the simulated state is no longer finite";
-    case Fall::kNoContact: return "no foot touched the ground any more";
+    case Fall::kNone:
+      return "";
+    case Fall::kHeight:
+      return "the COM came too low over the support foot";
+    case Fall::kTilt:
+      return "the trunk tilted too far";
+    case Fall::kFootTipped:
+      return "the support foot tipped over its edge";
+    case Fall::kNonFinite:
+      return "the simulated state is no longer finite";
+    case Fall::kNoContact:
+      return "no foot touched the ground any more";
   }
   return "?";
 }
 
-WalkingController::WalkingController(const mjModel* model, const RobotDescription& description, const WalkSettings& settings,
-                                     const VelocityProfile& profile)
+WalkingController::WalkingController(const mjModel* model, const RobotDescription& description,
+                                     const WalkSettings& settings, const VelocityProfile& profile)
     : robot_(model, description),
       profile_(profile),
       com_height_(stand_height(robot_.dynamics())),
@@ -69,8 +77,8 @@ WalkingController::WalkingController(const mjModel* model, const RobotDescriptio
       gait_(settings_, profile_, 0.5 * std::min(description.feet[kLeft].width, description.feet[kRight].width)),
       tracker_(settings_.tracker, settings_.tracker_gain, settings_.tracker_time, settings_.tracker_deadband),
       whole_body_(robot_.nv(), robot_.leg_joints(),
-                  {settings_.textbook, settings_.posture_task, settings_.wrench_distribution, settings_.contact_damping, settings_.singular_damping,
-                   settings_.singular_pivot}),
+                  {settings_.textbook, settings_.posture_task, settings_.wrench_distribution, settings_.contact_damping,
+                   settings_.singular_damping, settings_.singular_pivot}),
       estimator_(robot_.nv()),
       bounds_{bounds_of(robot_, kLeft, settings_), bounds_of(robot_, kRight, settings_)},
       R_HB_(Mat3::Identity()),
@@ -96,7 +104,8 @@ double WalkingController::reach(double least_knee) const {
   double least = std::numeric_limits<double>::infinity();
   for (const Side side : kSides) {
     const RobotLeg leg = robot_.leg_at_stand(side);
-    const double length = std::sqrt(leg.thigh * leg.thigh + leg.shank * leg.shank + 2.0 * leg.thigh * leg.shank * std::cos(least_knee));
+    const double length =
+        std::sqrt(leg.thigh * leg.thigh + leg.shank * leg.shank + 2.0 * leg.thigh * leg.shank * std::cos(least_knee));
     const Vec2 d = leg.hip_to_ankle;
     least = std::min(least, std::sqrt(std::max(length * length - d.y() * d.y(), 0.0)) - std::abs(d.x()));
   }
@@ -126,17 +135,21 @@ void WalkingController::check_profile() const {
     const double middle = 0.5 * (possible + impossible);
     (start_excursion(middle) <= room ? possible : impossible) = middle;
   }
-  throw InputError("the profile starts too fast: from a stand the COM would run " + std::to_string(start_excursion(1.0)) +
-                   " m ahead of the first stance foot, the legs reach " + std::to_string(room) + " m; the same profile times " +
-                   std::to_string(possible) + " would do, or a gentler ramp");
+  throw InputError("the profile starts too fast: from a stand the COM would run " +
+                   std::to_string(start_excursion(1.0)) + " m ahead of the first stance foot, the legs reach " +
+                   std::to_string(room) + " m; the same profile times " + std::to_string(possible) +
+                   " would do, or a gentler ramp");
 }
 
 double WalkingController::start_excursion(double scale) const {
   // The pendulum under the smooth tracker, its ZMP held inside the bounds of the foot that carries it, up to the second lift-off.
   const Schedule& schedule = gait_.schedule();
   const double dt = settings_.control_dt, t_end = schedule.lift_off(1), t_switch = t_end - 0.5 * settings_.T_ds;
-  const double foothold = scale * (profile_.displacement(0.0, t_switch) + 0.5 * profile_.displacement(t_switch, t_switch + schedule.period())).x();
-  VelocityTracker tracker(TrackerLaw::kSmooth, settings_.tracker_gain, settings_.tracker_time, settings_.tracker_deadband);
+  const double foothold =
+      scale *
+      (profile_.displacement(0.0, t_switch) + 0.5 * profile_.displacement(t_switch, t_switch + schedule.period())).x();
+  VelocityTracker tracker(TrackerLaw::kSmooth, settings_.tracker_gain, settings_.tracker_time,
+                          settings_.tracker_deadband);
   const Dynamics& dyn = robot_.dynamics();
   const Vec3 middle = 0.5 * (dyn.sole[kLeft].p_WF + dyn.sole[kRight].p_WF);
   const double x_0 = (dyn.com - middle).head<2>().norm();
@@ -157,7 +170,9 @@ double WalkingController::plan_mismatch(double duration) const {
 }
 
 void WalkingController::reset(const mjData* data) {
-  if (!robot_.is_finite(data)) throw InputError("data holds a position or velocity that is not finite; place the robot first");
+  robot_.require_data(data);
+  if (!robot_.is_finite(data))
+    throw InputError("data holds a position or velocity that is not finite; place the robot first");
   robot_.read(data);
   const Dynamics& dyn = robot_.dynamics();
   t_start_ = data->time;
@@ -167,7 +182,11 @@ void WalkingController::reset(const mjData* data) {
   pendulum_ = LinearInvertedPendulum(com_height_, dyn.gravity.norm());
   com_des_ = dyn.com.head<2>();
   dcom_des_ = dyn.dcom.head<2>();
-  GaitInput start{0.0, com_des_, dcom_des_, {dyn.sole[kLeft].p_WF, dyn.sole[kRight].p_WF}, {dyn.sole[kLeft].R_WF, dyn.sole[kRight].R_WF}};
+  GaitInput start{0.0,
+                  com_des_,
+                  dcom_des_,
+                  {dyn.sole[kLeft].p_WF, dyn.sole[kRight].p_WF},
+                  {dyn.sole[kLeft].R_WF, dyn.sole[kRight].R_WF}};
   gait_.reset(start, pendulum_);
   tracker_.reset();
   VecX tau = std::move(out_.tau);
@@ -182,6 +201,7 @@ void WalkingController::reset(const mjData* data) {
 
 const CycleOutput& WalkingController::update(mjData* data) {
   if (!started_) throw InputError("update was called before reset(data)");
+  robot_.require_data(data);
   if (!robot_.is_finite(data)) throw InputError("data holds a position or velocity that is not finite");
   out_.fresh = tick_ % ticks_per_cycle_ == 0;
   ++tick_;
@@ -194,8 +214,11 @@ const CycleOutput& WalkingController::update(mjData* data) {
   const double t = data->time - t_start_;
   const bool measured = settings_.com_state == ComState::kMeasured;
 
-  GaitInput in{t, measured ? Vec2(dyn.com.head<2>()) : com_des_, measured ? Vec2(dyn.dcom.head<2>()) : dcom_des_,
-               {dyn.sole[kLeft].p_WF, dyn.sole[kRight].p_WF}, {dyn.sole[kLeft].R_WF, dyn.sole[kRight].R_WF}};
+  GaitInput in{t,
+               measured ? Vec2(dyn.com.head<2>()) : com_des_,
+               measured ? Vec2(dyn.dcom.head<2>()) : dcom_des_,
+               {dyn.sole[kLeft].p_WF, dyn.sole[kRight].p_WF},
+               {dyn.sole[kLeft].R_WF, dyn.sole[kRight].R_WF}};
   const GaitOutput& gait = gait_.update(in);
   R_S_ = rotation_z(gait.heading).topLeftCorner<2, 2>();
   const auto to_S = [&](const Vec2& p) { return Vec2(R_S_.transpose() * p); };
@@ -271,14 +294,18 @@ WalkingController::Command WalkingController::command(const Vec2& r) const {
 void WalkingController::choose_reference(const GaitOutput& gait) {
   const double dt = settings_.control_dt, v_plan = out_.v_plan.x();
   const auto to_W = [&](const Vec2& p) { return Vec2(gait.origin + R_S_ * p); };
-  const auto estimate_of = [&](const Vec2& f) { return Vec2(R_S_.transpose() * (whole_body_.zmp(R_S_ * f) - gait.origin)); };
+  const auto estimate_of = [&](const Vec2& f) {
+    return Vec2(R_S_.transpose() * (whole_body_.zmp(R_S_ * f) - gait.origin));
+  };
 
   // What velocity tracking alone asks for.
   Vec2 r(0.0, gait.zmp_lateral);
   const bool smooth = tracker_.law() == TrackerLaw::kSmooth;
-  if (smooth && settings_.zmp_modification) r.x() = pendulum_.reference_for(x_.x(), tracker_.acceleration(v_plan, v_.x()));
+  if (smooth && settings_.zmp_modification)
+    r.x() = pendulum_.reference_for(x_.x(), tracker_.acceleration(v_plan, v_.x()));
   Command c = command(r);
-  if (!smooth || !settings_.zmp_modification) {  // the desired velocity is the planned one, which stands: nothing to feed forward
+  if (!smooth ||
+      !settings_.zmp_modification) {  // the desired velocity is the planned one, which stands: nothing to feed forward
     c.x_d.x() = x_.x() + v_plan * dt;
     c.v_d.x() = v_plan;
     c.f.x() = pd_acceleration(kp_.x(), kd_.x(), c.x_d.x() - x_meas_.x(), c.v_d.x() - v_meas_.x());

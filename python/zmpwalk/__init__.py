@@ -23,17 +23,25 @@ except VersionError as error:
         raise SystemExit(2) from None
     raise
 
-from . import errors
+from . import analysis, errors
 from ._build import VERSION as __version__
 from ._core import (
+    ContactSpace,
     CycleOutput,
+    Dynamics,
     GaitGenerator,
     LinearInvertedPendulum,
+    Robot,
+    TaskAccelerations,
+    TaskSpace,
     VelocityTracker,
     WalkSettings,
     WholeBodyController,
     ZmpEstimator,
+    distribute_wrench,
+    iterate_reference,
     measured_zmp,
+    solve_reference,
 )
 from .description import (
     Foot,
@@ -44,20 +52,27 @@ from .description import (
     read_description,
 )
 from .profiles import VelocityProfile
+from .proposal import Proposal, propose
 from .simulation import Recorder, WalkingController, simulate
 from .trace import Trace
 
 __all__ = [
+    "ContactSpace",
     "CycleOutput",
     "DimensionError",
+    "Dynamics",
     "Error",
     "Foot",
     "GaitGenerator",
     "InputError",
     "LinearInvertedPendulum",
     "ModelError",
+    "Proposal",
     "Recorder",
+    "Robot",
     "RobotDescription",
+    "TaskAccelerations",
+    "TaskSpace",
     "Trace",
     "VelocityProfile",
     "VelocityTracker",
@@ -67,15 +82,20 @@ __all__ = [
     "WholeBodyController",
     "ZmpEstimator",
     "__version__",
+    "analysis",
     "available_robots",
     "describe",
+    "distribute_wrench",
     "errors",
+    "iterate_reference",
     "load_robot",
     "measured_zmp",
     "plot",
+    "propose",
     "read_description",
     "render",
     "simulate",
+    "solve_reference",
 ]
 
 

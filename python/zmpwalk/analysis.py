@@ -1,11 +1,11 @@
 """What a walk's acceptance is read from: switch times, ZMP windows, offsets at mid-stance, errors by phase.
 
-Every function takes a `Trace` (or anything with the same columns as attributes) and returns NumPy arrays or plain lists.
+Every function takes a `Trace`, or anything with the same columns as attributes.
 """
 
 from __future__ import annotations
 
-from typing import Any, List, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -33,7 +33,7 @@ def switch_times(trace: Any) -> np.ndarray:
     return np.asarray(trace.phase_time[at])
 
 
-def zmp_windows(trace: Any, shortest: float = 0.0) -> List[Window]:
+def zmp_windows(trace: Any, shortest: float = 0.0) -> list[Window]:
     """Times during which the desired sagittal ZMP was on one of its bounds (section IV), in order.
 
     Args:

@@ -434,15 +434,23 @@ def plot(trace: Path, out: Path | None, figures: tuple[str, ...], kind: str) -> 
 @cli.command()
 @click.argument("model")
 @click.option("--json", "as_json", is_flag=True, help="Print what was found as JSON.")
-def inspect(model: str, as_json: bool) -> int:
-    """Show what is found in MODEL: a robot's name, a robot.json, or an .xml that carries its marks."""
-    from .description import inspect_robot, load_robot
+@click.option("--write", type=click.Path(path_type=Path), metavar="FILE", help="Write it as a robot.json.")
+def inspect(model: str, as_json: bool, write: Path | None) -> int:
+    """Show what is found in MODEL: a robot's name, a robot.json, or any .xml with a robot on two legs."""
+    from .description import load_robot, robot_file
+    from .proposal import appraise, propose, write_description
 
-    found = inspect_robot(*load_robot(model))
+    loaded, description = load_robot(model)
+    file, described = robot_file(model)
+    proposal = appraise(loaded, description, [] if described else propose(loaded).remarks)
+    if write is not None:
+        write_description(write, file, proposal)
     if as_json:
-        click.echo(json.dumps(found, indent=2, allow_nan=False))
+        click.echo(json.dumps(proposal.table, indent=2, allow_nan=False))
     else:
-        _print_inspection(found)
+        _print_inspection(proposal.table)
+        if write is not None:
+            click.echo(f"\nwritten: {write}")
     return STOOD
 
 
@@ -465,6 +473,10 @@ def _print_inspection(found: dict[str, Any]) -> None:
         facts.add_row(f"{side} foot", f"body {foot['body']}{site}")
         size = f"{foot['length_m']:.3f} × {foot['width_m']:.3f} m"
         facts.add_row(f"{side} sole", f"{size}, stands at x {x:+.3f}, y {y:+.3f} m")
+    share = f"at the stand {100 * found['leg_share']:.0f} % of both"
+    facts.add_row("legs", f"thigh {found['thigh_m']:.3f} m, shank {found['shank_m']:.3f} m, {share}")
+    limit = found["speed_limit_mps"]
+    facts.add_row("speed in reach", f"up to {limit:.3f} m/s" if limit is not None else "none: see below")
     facts.add_row(
         "stand pose", (found["stand_keyframe"] and f"keyframe {found['stand_keyframe']}") or "from the description"
     )
@@ -487,3 +499,7 @@ def _print_inspection(found: dict[str, Any]) -> None:
             _number(joint["torque_limit_Nm"], 1),
         )
     console.print(joints)
+    if found["remarks"]:
+        console.print("\nunsure, or worth knowing:")
+    for remark in found["remarks"]:
+        console.print(f"- {remark}")

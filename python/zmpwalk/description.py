@@ -10,7 +10,6 @@ from typing import Any, Tuple, Union
 import mujoco
 import numpy as np
 
-from . import _core
 from ._core import Foot, RobotDescription
 from .errors import InputError, ModelError
 
@@ -54,8 +53,7 @@ def load_robot(robot: Robot) -> tuple[mujoco.MjModel, RobotDescription]:
             - a name of `available_robots()`;
             - a path to a `robot.json` (or the folder that holds one): its "scene" is loaded, or its "model" where it
               has no scene;
-            - a path to an MJCF `.xml`, or an `MjModel`, with box sites `left_sole` and `right_sole` and a keyframe
-              `stand`;
+            - a path to an MJCF `.xml`, or an `MjModel`, in which `describe` finds a robot;
             - a pair (`.xml` path or `MjModel`, `RobotDescription` or `robot.json` path or None).
 
     Returns:
@@ -97,6 +95,20 @@ def load_robot(robot: Robot) -> tuple[mujoco.MjModel, RobotDescription]:
     return model, description
 
 
+def robot_file(robot: str | os.PathLike) -> tuple[Path, bool]:
+    """The MJCF that `load_robot` loads for a name or a path, and whether a `robot.json` describes the robot.
+
+    Raises:
+        InputError: as `load_robot`.
+
+    Usage: `robot_file("mahru")[0].parent`
+    """
+    path = _find(robot)
+    if path.suffix.lower() != ".json":
+        return path, False
+    return path.parent / _model_file(_read_json(path), path), True
+
+
 def _find(robot: str | os.PathLike) -> Path:
     bundled = _bundled()
     if robot in bundled:
@@ -125,21 +137,24 @@ def _load_xml(path: Path) -> mujoco.MjModel:
 
 
 def describe(model: mujoco.MjModel) -> RobotDescription:
-    """The description of a model that carries its own marks.
+    """The description of a robot that is found in its model.
 
     Args:
-        model: has a free joint, box sites `left_sole` and `right_sole` (centre on the sole plane, x forward, y left,
-            z up, half sizes those of the sole) and a keyframe `stand`.
+        model: carries box sites `left_sole` and `right_sole` (centre on the sole plane, x forward, y left, z up, half
+            sizes those of the sole) and a keyframe `stand`, which are taken as they are. From any other model a
+            description is proposed: `zmpwalk.proposal.propose` does the same and says what is unsure.
 
     Returns:
         Feet, legs, soles and start pose.
 
     Raises:
-        ModelError: one of the marks is missing; says which, and what would have worked.
+        ModelError: no robot that can walk was found; one line says why.
 
     Usage: `description = zmpwalk.describe(mujoco.MjModel.from_xml_path("robot.xml"))`
     """
-    return _core.describe(model)
+    from .proposal import propose
+
+    return propose(model).description
 
 
 def read_description(path: str | os.PathLike) -> RobotDescription:
@@ -326,10 +341,27 @@ def torque_limits(model: mujoco.MjModel) -> np.ndarray:
             limits[i] = gear * abs(model.actuator_gainprm[i, 0]) * abs(model.actuator_ctrlrange[i]).max()
         if model.actuator_forcelimited[i]:
             limits[i] = min(limits[i], gear * abs(model.actuator_forcerange[i]).max())
+        if not _turns_joint(model, i):
+            continue
         joint = model.actuator_trnid[i, 0]
         if getattr(model, "jnt_actfrclimited", np.zeros(model.njnt))[joint]:
             limits[i] = min(limits[i], abs(model.jnt_actfrcrange[joint]).max())
     return limits
+
+
+def _turns_joint(model: mujoco.MjModel, actuator: int) -> bool:
+    """The actuator's transmission is a joint, not a tendon, site or body."""
+    kinds = (mujoco.mjtTrn.mjTRN_JOINT, mujoco.mjtTrn.mjTRN_JOINTINPARENT)
+    return int(model.actuator_trntype[actuator]) in [int(kind) for kind in kinds]
+
+
+def joint_torque_limits(model: mujoco.MjModel) -> dict[int, float]:
+    """Torque limit [N m] by joint number, of the joints that have a motor; infinite where nothing limits it.
+
+    Usage: `joint_torque_limits(model).get(3)`
+    """
+    limits = torque_limits(model).tolist()
+    return {int(model.actuator_trnid[i, 0]): limits[i] for i in range(model.nu) if _turns_joint(model, i)}
 
 
 def inspect_robot(model: mujoco.MjModel, description: RobotDescription) -> dict[str, Any]:
@@ -354,7 +386,7 @@ def inspect_robot(model: mujoco.MjModel, description: RobotDescription) -> dict[
     root = int(model.jnt_bodyid[root_joint])
     feet = {side: _standing_foot(model, data, getattr(description, side)) for side in ("left", "right")}
     height = float(data.subtree_com[root][2] - min(foot["sole_center_m"][2] for foot in feet.values()))
-    limits = dict(zip(model.actuator_trnid[:, 0].tolist(), torque_limits(model).tolist()))
+    limits = joint_torque_limits(model)
     legs = {joint: f"{side} leg" for side in ("left", "right") for joint in getattr(description, side).leg_joints}
     joints: list[dict[str, Any]] = []
     roles: dict[str, int] = {}

@@ -70,12 +70,13 @@ inline const mjModel* mahru() {
 inline ModelPtr mahru_in_a_scene() {
   std::string text = mahru_text();
   text.erase(text.find("<keyframe>"), text.find("</keyframe>") + 11 - text.find("<keyframe>"));
-  text = replaced(text, "<worldbody>",
-                  "<worldbody>"
-                  "<body name='box' pos='2 1 0.2'><freejoint name='box'/>"
-                  "<inertial mass='3' pos='0 0 0' diaginertia='0.02 0.02 0.02'/><geom type='box' size='0.1 0.1 0.1'/></body>"
-                  "<body name='arm' pos='-2 1 1'><joint name='arm' type='hinge' axis='0 1 0' damping='1'/>"
-                  "<inertial mass='1' pos='0 0 -0.3' diaginertia='0.01 0.01 0.01'/></body>");
+  text = replaced(
+      text, "<worldbody>",
+      "<worldbody>"
+      "<body name='box' pos='2 1 0.2'><freejoint name='box'/>"
+      "<inertial mass='3' pos='0 0 0' diaginertia='0.02 0.02 0.02'/><geom type='box' size='0.1 0.1 0.1'/></body>"
+      "<body name='arm' pos='-2 1 1'><joint name='arm' type='hinge' axis='0 1 0' damping='1'/>"
+      "<inertial mass='1' pos='0 0 -0.3' diaginertia='0.01 0.01 0.01'/></body>");
   return load_text(replaced(text, "<actuator>", "<actuator><motor joint='arm'/>"));
 }
 

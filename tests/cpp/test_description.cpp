@@ -11,8 +11,9 @@ namespace {
 std::string leg(const std::string& side, double y, const std::string& site) {
   std::string text;
   for (int i = 0; i < 6; ++i) {
-    text += "<body name='" + side + std::to_string(i) + "' pos='0 " + (i ? "0" : std::to_string(y)) + " -0.1'><joint name='" + side + "j" +
-            std::to_string(i) + "' type='hinge' axis='" + (i % 2 ? "1 0 0" : "0 1 0") + "'/><geom size='0.03'/>";
+    text += "<body name='" + side + std::to_string(i) + "' pos='0 " + (i ? "0" : std::to_string(y)) +
+            " -0.1'><joint name='" + side + "j" + std::to_string(i) + "' type='hinge' axis='" +
+            (i % 2 ? "1 0 0" : "0 1 0") + "'/><geom size='0.03'/>";
   }
   return text + site + "</body></body></body></body></body></body>";
 }
@@ -25,7 +26,8 @@ std::string biped() {
   text += "</body></worldbody><actuator>";
   for (const std::string side : {"l", "r"})
     for (int i = 0; i < 6; ++i) text += "<motor joint='" + side + "j" + std::to_string(i) + "'/>";
-  return text + "</actuator><keyframe><key name='stand' qpos='0 0 0.63 1 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0'/></keyframe></mujoco>";
+  return text +
+         "</actuator><keyframe><key name='stand' qpos='0 0 0.63 1 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0'/></keyframe></mujoco>";
 }
 
 /// Describing the biped with one thing changed fails, and the message says `text`.
@@ -79,9 +81,11 @@ BOOST_AUTO_TEST_CASE(a_robot_with_a_ball_joint_or_a_joint_without_start_value_is
   std::string text = biped();
   text.erase(text.find("<keyframe>"));  // its length is that of another robot
   const auto with = [&](const std::string& joint) {
-    return load_text(replaced(text + "</mujoco>", "<freejoint name='root'/>", "<freejoint name='root'/><body name='tail'>" + joint + "<geom size='0.1'/></body>"));
+    return load_text(replaced(text + "</mujoco>", "<freejoint name='root'/>",
+                              "<freejoint name='root'/><body name='tail'>" + joint + "<geom size='0.1'/></body>"));
   };
-  CHECK_THROWS(good.check(with("<joint name='tail' type='ball'/>").get()), ModelError, "joint 'tail' is neither hinge nor slide");
+  CHECK_THROWS(good.check(with("<joint name='tail' type='ball'/>").get()), ModelError,
+               "joint 'tail' is neither hinge nor slide");
   CHECK_THROWS(good.check(with("<joint name='tail'/>").get()), ModelError, "joint 'tail' has 0 motors");
 }
 
@@ -97,10 +101,12 @@ BOOST_AUTO_TEST_CASE(a_description_with_a_wrong_name_or_number_is_refused) {
   refused([](auto& d) { d.root_joint = "l_knee"; }, "'l_knee' is not a free joint");
   refused([](auto& d) { d.feet[kLeft].body = "paw"; }, "no body named 'paw'");
   refused([](auto& d) { d.feet[kRight].sole_site = "pad"; }, "no site named 'pad'");
-  refused([](auto& d) { d.feet[kLeft].length = 0.0; }, "the left sole is 0.000000 x 0.140000 m; both must be greater than 0");
+  refused([](auto& d) { d.feet[kLeft].length = 0.0; },
+          "the left sole is 0.000000 x 0.140000 m; both must be greater than 0");
   refused([](auto& d) { d.feet[kLeft].width = kNaN; }, "both must be greater than 0");
   refused([](auto& d) { d.feet[kRight].leg_joints.pop_back(); }, "the right leg has 5 joints");
-  refused([](auto& d) { d.feet[kRight].leg_joints[0] = "l_knee"; }, "'l_knee' is listed for the right leg but does not move");
+  refused([](auto& d) { d.feet[kRight].leg_joints[0] = "l_knee"; },
+          "'l_knee' is listed for the right leg but does not move");
   refused([](auto& d) { d.feet[kLeft].leg_joints[1] = d.feet[kLeft].leg_joints[0]; }, "is listed twice");
   refused([](auto& d) { d.stand_joints.erase("waist_yaw"); }, "no value for joint 'waist_yaw'");
   refused([](auto& d) { d.stand_joints["waist_yaw"] = kNaN; }, "'waist_yaw' is not finite");
@@ -109,16 +115,42 @@ BOOST_AUTO_TEST_CASE(a_description_with_a_wrong_name_or_number_is_refused) {
   refused([](auto& d) { d.stand_base_pos.x() = kNaN; }, "not a position");
 }
 
+BOOST_AUTO_TEST_CASE(placed_robot_stands_at_rest_with_flat_soles_on_the_ground) {
+  const ModelPtr scene = mahru_in_a_scene();
+  for (const mjModel* m : {mahru(), static_cast<const mjModel*>(scene.get())})
+    for (const double ground : {0.0, 0.3}) {
+      Robot robot(m, describe(mahru()));
+      const MjDataPtr d = make_data(m);
+      randomize(robot, d.get(), 11);
+      const VecX before = Eigen::Map<const VecX>(d->qpos, robot.qpos_address());
+      robot.description().place(m, d.get(), ground);
+      robot.read(d.get());
+      const Dynamics& dyn = robot.dynamics();
+      for (const SoleState& sole : dyn.sole) {
+        CHECK_NEAR(sole.p_WF.z(), ground, 1e-9);
+        CHECK_NEAR(sole.R_WF, Mat3::Identity(), 1e-9);
+      }
+      CHECK_NEAR(dyn.dq, VecX::Zero(31), 0.0);
+      CHECK_NEAR(dyn.q, robot.stand(), 0.0);
+      for (const Side side : kSides) BOOST_CHECK_GE(dyn.q[robot.leg_joints()[side][3]], 0.3);  // knees bent
+      BOOST_CHECK_GT(robot.joint_margin(d.get()), 0.0);
+      CHECK_NEAR(Eigen::Map<const VecX>(d->qpos, robot.qpos_address()), before, 0.0);  // the box stays
+    }
+}
+
 BOOST_AUTO_TEST_CASE(placing_with_a_wrong_description_changes_nothing) {
   RobotDescription bad = describe(mahru());
   bad.stand_joints["tail"] = 0.0;
   const MjDataPtr d = make_data(mahru());
   const VecX before = Eigen::Map<const VecX>(d->qpos, mahru()->nq);
   CHECK_THROWS(bad.place(mahru(), d.get()), ModelError, "tail");
+  CHECK_THROWS(describe(mahru()).place(mahru(), d.get(), kNaN), InputError, "ground = nan");
   CHECK_NEAR(Eigen::Map<const VecX>(d->qpos, mahru()->nq), before, 0.0);
 }
 
 BOOST_AUTO_TEST_CASE(a_motor_that_can_only_push_is_refused) {
-  const ModelPtr m = load_text(replaced(mahru_text(), "<motor class=\"knee\" name=\"l_knee\"", "<motor class=\"knee\" ctrlrange=\"5 9\" name=\"l_knee\""));
-  CHECK_THROWS(Robot(m.get(), describe(m.get())), ModelError, "motor of joint 'l_knee' has a control range without 0 inside");
+  const ModelPtr m = load_text(replaced(mahru_text(), "<motor class=\"knee\" name=\"l_knee\"",
+                                        "<motor class=\"knee\" ctrlrange=\"5 9\" name=\"l_knee\""));
+  CHECK_THROWS(Robot(m.get(), describe(m.get())), ModelError,
+               "motor of joint 'l_knee' has a control range without 0 inside");
 }

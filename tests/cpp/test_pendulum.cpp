@@ -103,7 +103,8 @@ BOOST_AUTO_TEST_CASE(lateral_step_17_is_16_about_a_zero_reference) {
 }
 
 BOOST_AUTO_TEST_CASE(expected_velocity_18_is_the_velocity_of_17) {
-  for (const double T : {0.001, 0.1, 0.48}) CHECK_NEAR(pendulum.velocity_after(T, start), pendulum.step_lateral(T, start).v, 1e-13);
+  for (const double T : {0.001, 0.1, 0.48})
+    CHECK_NEAR(pendulum.velocity_after(T, start), pendulum.step_lateral(T, start).v, 1e-13);
 }
 
 BOOST_AUTO_TEST_CASE(reference_for_an_acceleration_gives_that_acceleration) {
@@ -113,7 +114,8 @@ BOOST_AUTO_TEST_CASE(reference_for_an_acceleration_gives_that_acceleration) {
 BOOST_AUTO_TEST_CASE(dcm_leaves_the_reference_exponentially) {
   const double r = 0.02;
   for (const double t : {0.1, 0.5})
-    CHECK_NEAR(pendulum.dcm(pendulum.step(t, start, r)) - r, (pendulum.dcm(start) - r) * std::exp(t / pendulum.Tc()), 1e-13);
+    CHECK_NEAR(pendulum.dcm(pendulum.step(t, start, r)) - r, (pendulum.dcm(start) - r) * std::exp(t / pendulum.Tc()),
+               1e-13);
 }
 
 BOOST_AUTO_TEST_CASE(reference_to_reach_brings_the_dcm_there_in_time) {
@@ -146,7 +148,9 @@ BOOST_AUTO_TEST_CASE(first_double_support_starts_an_orbit_that_repeats) {
   };
   double low = 0.0, high = T_ds_first;
   BOOST_REQUIRE(rest_after(low) * rest_after(high) < 0.0);
-  for (int i = 0; i < 60; ++i) (rest_after(0.5 * (low + high)) > 0.0) == (rest_after(low) > 0.0) ? low = 0.5 * (low + high) : high = 0.5 * (low + high);
+  for (int i = 0; i < 60; ++i)
+    (rest_after(0.5 * (low + high)) > 0.0) == (rest_after(low) > 0.0) ? low = 0.5 * (low + high)
+                                                                      : high = 0.5 * (low + high);
   CHECK_NEAR(low, 0.172, 1e-3);
   PendulumState s = pendulum.step(mid_single - low, pendulum.step(low, {0.0, 0.0}, right), left);
   CHECK_NEAR(s.v, 0.0, 1e-9);

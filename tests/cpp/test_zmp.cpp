@@ -39,7 +39,8 @@ struct Instant {
     robot.read(data.get());
     controller.prepare(dyn(), stance, random_tasks(robot.joints(), seed));
     const ContactRows rows = contact_rows(dyn(), stance);
-    estimator.update(dyn().A, dyn().b, dyn().g, rows.J, rows.drift, stance.standing, {dyn().sole[0].p_WF, dyn().sole[1].p_WF}, stance.support);
+    estimator.update(dyn().A, dyn().b, dyn().g, rows.J, rows.drift, stance.standing,
+                     {dyn().sole[0].p_WF, dyn().sole[1].p_WF}, stance.support);
   }
   const Dynamics& dyn() const { return robot.dynamics(); }
   ZmpEstimate estimate(const Vec2& f_xy) const {
@@ -88,8 +89,10 @@ BOOST_AUTO_TEST_CASE(estimated_zmp_and_wrench_are_those_the_torque_was_computed_
       BOOST_CHECK(estimate.in_contact);
       CHECK_NEAR(estimate.zmp, at.controller.zmp(f_xy), 1e-8);
       for (const Side side : kSides) {
-        if (at.stance.standing[side]) CHECK_NEAR(estimate.f_c.segment<6>(6 * side), out.f_c.segment<6>(6 * side), 1e-8);
-        else BOOST_CHECK(estimate.f_c.segment<6>(6 * side).array().isNaN().all());
+        if (at.stance.standing[side])
+          CHECK_NEAR(estimate.f_c.segment<6>(6 * side), out.f_c.segment<6>(6 * side), 1e-8);
+        else
+          BOOST_CHECK(estimate.f_c.segment<6>(6 * side).array().isNaN().all());
       }
     }
 }
@@ -112,7 +115,8 @@ BOOST_AUTO_TEST_CASE(angular_momentum_of_the_links_makes_the_slope_steeper_than_
   TaskAccelerations none;
   none.posture = VecX::Zero(at.robot.joints());
   at.controller.prepare(at.dyn(), at.stance, none);
-  const double pendulum = -(at.dyn().com.z() - at.dyn().sole[kLeft].p_WF.z()) / 9.81, slope = at.controller.zmp_slope()(0, 0);
+  const double pendulum = -(at.dyn().com.z() - at.dyn().sole[kLeft].p_WF.z()) / 9.81,
+               slope = at.controller.zmp_slope()(0, 0);
   BOOST_CHECK_GT(slope / pendulum, 1.05);
   BOOST_CHECK_LT(slope / pendulum, 1.25);
 }
@@ -133,7 +137,9 @@ BOOST_AUTO_TEST_CASE(estimator_refuses_what_it_cannot_use) {
   CHECK_THROWS(at.estimator.estimate(VecX::Zero(31)), DimensionError, "tau has 31 entries; it must have 25");
   const ContactRows rows = contact_rows(at.dyn(), at.stance);
   const std::array<Vec3, 2> c{Vec3::Zero(), Vec3::Zero()};
-  const auto update = [&](const std::array<bool, 2>& standing) { at.estimator.update(at.dyn().A, at.dyn().b, at.dyn().g, rows.J, rows.drift, standing, c, kLeft); };
+  const auto update = [&](const std::array<bool, 2>& standing) {
+    at.estimator.update(at.dyn().A, at.dyn().b, at.dyn().g, rows.J, rows.drift, standing, c, kLeft);
+  };
   CHECK_THROWS(update({false, false}), InputError, "no foot stands");
   CHECK_THROWS(update({true, false}), DimensionError, "J_c is (12, 31); it must be (6, 31)");
 }
@@ -203,7 +209,12 @@ BOOST_AUTO_TEST_CASE(closed_form_is_the_fixed_point_of_the_loop) {
     BOOST_CHECK_EQUAL(exact.passes, 2);
     CHECK_NEAR(exact.zmp_ref, loop.zmp_ref, 1e-12);
     CHECK_NEAR(exact.zmp_est, loop.zmp_est, 1e-12);
-    for (int i = 0; i < 2; ++i) axes[i] > 0 ? CHECK_NEAR(exact.zmp_est[i], wanted[i], 1e-14) : CHECK_NEAR(exact.zmp_ref[i], kept[i], 0.0);
+    for (int i = 0; i < 2; ++i) {
+      if (axes[i] > 0.0)
+        CHECK_NEAR(exact.zmp_est[i], wanted[i], 1e-14);
+      else
+        CHECK_NEAR(exact.zmp_ref[i], kept[i], 0.0);
+    }
   }
 }
 

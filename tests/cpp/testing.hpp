@@ -47,9 +47,9 @@ class Numbers {
 #define CHECK_NEAR(a, b, tolerance) BOOST_CHECK_LE(::zmpwalk::testing::gap(a, b), tolerance)
 
 /// `expression` throws `Type`, and its message holds `text`.
-#define CHECK_THROWS(expression, Type, text)                                             \
-  BOOST_CHECK_EXCEPTION(expression, Type, [&](const Type& error) {                       \
-    const bool found = std::string(error.what()).find(text) != std::string::npos;        \
-    if (!found) BOOST_TEST_MESSAGE("the message was: " << error.what());                 \
-    return found;                                                                        \
+#define CHECK_THROWS(expression, Type, text)                                      \
+  BOOST_CHECK_EXCEPTION(expression, Type, [&](const Type& error) {                \
+    const bool found = std::string(error.what()).find(text) != std::string::npos; \
+    if (!found) BOOST_TEST_MESSAGE("the message was: " << error.what());          \
+    return found;                                                                 \
   })

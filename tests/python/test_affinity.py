@@ -1,8 +1,8 @@
 """The estimate as a function of the reference ZMP, and the iteration of III-B that rests on it.
 
-One pass of that loop changes r_ref by r_des - r_est, and r_est is affine in r_ref with slope s, so the error of pass n is
-(1 - s)^n of the first: s = rho (k_d dt + k_p dt^2 / 2) without feed-forward, s = rho (1 + k_d dt + k_p dt^2 / 2) with it. rho is
-what the links' angular momentum makes of a point mass's 1, about 1.14.
+One pass of that loop changes r_ref by r_des - r_est, and r_est is affine in r_ref with slope s, so the error of pass n
+is (1 - s)^n of the first: s = rho (k_d dt + k_p dt^2 / 2), and rho (1 + k_d dt + k_p dt^2 / 2) with feed-forward.
+rho is what the links' angular momentum makes of a point mass's 1, about 1.14.
 """
 
 import math

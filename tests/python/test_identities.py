@@ -46,7 +46,7 @@ class State:
         self.free = [j for j in range(len(names)) if j not in self.legs[0] + self.legs[1]]
         self.f_star = _core.TaskAccelerations(*(rng.normal(size=n) for n in (3, 3, 6, len(names))))
         J_trunk = np.zeros((3, d.nv))
-        J_trunk[:, 3:6] = d.R_WB  # a free joint turns in its own body's axes, so J_trunk's own change is along omega: no drift
+        J_trunk[:, 3:6] = d.R_WB  # a free joint turns in its own body's axes; these turn along omega, so no drift
         J, drift, f = [d.J_com, J_trunk], [d.drift_com, np.zeros(3)], [self.f_star.com, self.f_star.trunk]
         if stance != "both":
             swing = soles[stance == "left"]
@@ -179,7 +179,7 @@ def test_square_inverse_dynamics_agrees_with_the_task_space(stack):
     tau = stack.task.torque(stack.task.force(stack.f))
     ddq, w = stack.square_inverse_dynamics()
     assert_allclose(stack.motion(tau)[0], ddq, rtol=0, atol=1e-8)
-    # Base rows: in single support they give the wrench; two feet share it, and the textbook's minimum-norm torque says how.
+    # Base rows: they give the wrench of one foot; two share it, and the textbook's minimum-norm torque says how.
     f_c = stack.contact.wrench(tau)
     assert_allclose(-stack.J_c[:, :6].T @ f_c, w[:6], rtol=0, atol=1e-8)
     if len(stack.J_c) == 6:
@@ -188,7 +188,7 @@ def test_square_inverse_dynamics_agrees_with_the_task_space(stack):
 
 
 def test_direct_path_agrees_with_the_task_space(stack):
-    controller, out = stack.whole_body()
+    _, out = stack.whole_body()
     tau = stack.task.torque(stack.task.force(stack.f))
     ddq, _ = stack.motion(tau)
     assert_allclose(out.ddq, ddq, rtol=0, atol=1e-8)
@@ -214,7 +214,7 @@ def test_textbook_path_of_the_controller_is_the_direct_one(stack):
 
 
 def momentary(robot, qpos, qvel):
-    model, reader, data = robot
+    _, reader, data = robot
     data.qpos[:], data.qvel[:] = qpos, qvel
     return reader.read(data)
 

@@ -107,7 +107,7 @@ def test_reference_brings_the_dcm_where_it_is_wanted(pendulum):
 
 
 def test_first_double_support_starts_the_symmetric_orbit_from_rest(pendulum):
-    """Lateral start: ZMP on the foot that swings first for t_1, then on the other; the velocity is zero in mid single support."""
+    """ZMP for t_1 on the foot that swings first, then on the other; at rest in the middle of the single support."""
     period, T_ss, width = 0.8, 0.64, 0.22
     first = pendulum.first_double_support(period=period, T_ss=T_ss)
     assert first == pytest.approx(0.1806, abs=5e-5)
@@ -122,7 +122,8 @@ def test_first_double_support_starts_the_symmetric_orbit_from_rest(pendulum):
     assert t_1 == pytest.approx(0.172, abs=5e-4)
     y, w = pendulum.step(t_1, 0.0, 0.0, -width / 2)
     amplitude = width / 2 - pendulum.step(rest - t_1, y, w, width / 2)[0]
-    assert amplitude == pytest.approx(width / 2 / np.cosh(period / 2 / pendulum.Tc), abs=1e-9)  # the orbit repeats every period
+    repeats = width / 2 / np.cosh(period / 2 / pendulum.Tc)
+    assert amplitude == pytest.approx(repeats, abs=1e-9)
 
 
 @pytest.mark.parametrize("z_c", [0.0, -1.0, float("nan"), float("inf")])

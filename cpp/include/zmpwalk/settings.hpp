@@ -44,7 +44,8 @@ struct WalkSettings {
   // Footsteps and the swing foot
   Footsteps footsteps = Footsteps::kTied;
   std::vector<double> step_lengths;
-  double step_width = kNaN, step_height = kNaN, foothold_reach = kNaN, com_lead = kNaN, foothold_time = kNaN, foothold_freeze = 0.7;
+  double step_width = kNaN, step_height = kNaN, foothold_reach = kNaN, com_lead = kNaN, foothold_time = kNaN,
+         foothold_freeze = 0.7;
   bool swing_feed_forward = true;
   double swing_kp = kNaN, swing_kd = kNaN;
   // The other tasks, double support
@@ -66,10 +67,13 @@ void visit_settings(Settings& s, Visitor&& v) {
   v("T_ds_first", s.T_ds_first, "s", "first double support; NaN: computed so that the lateral orbit starts symmetric");
   v("first_swing", s.first_swing, "", "foot that swings first, 'right' or 'left'");
   v("tracker", s.tracker, "", "velocity tracker: 'smooth' or 'bang_bang' (III-C as printed)");
-  v("tracker_gain", s.tracker_gain, "1/s", "smooth tracker: speed asked for per metre of integrated error; NaN: 1.38 / T_c");
+  v("tracker_gain", s.tracker_gain, "1/s",
+    "smooth tracker: speed asked for per metre of integrated error; NaN: 1.38 / T_c");
   v("tracker_time", s.tracker_time, "s", "smooth tracker: time in which a speed error is removed; NaN: 0.18 T_c");
-  v("tracker_deadband", s.tracker_deadband, "m", "bang-bang tracker: integrated error that counts as zero before a drive starts");
-  v("zmp_modification", s.zmp_modification, "", "keep the estimated ZMP inside its bounds (III-B, III-C); False: track v_plan blindly");
+  v("tracker_deadband", s.tracker_deadband, "m",
+    "bang-bang tracker: integrated error that counts as zero before a drive starts");
+  v("zmp_modification", s.zmp_modification, "",
+    "keep the estimated ZMP inside its bounds (III-B, III-C); False: track v_plan blindly");
   v("iteration", s.iteration, "", "how the reference ZMP is found: 'closed_form' or 'loop' (III-B)");
   v("zmp_threshold", s.zmp_threshold, "m", "|desired - estimated ZMP| at which the loop ends (section IV)");
   v("max_iterations", s.max_iterations, "", "bound of the loop");
@@ -84,16 +88,23 @@ void visit_settings(Settings& s, Visitor&& v) {
   v("com_y_kd", s.com_y_kd, "1/s", "COM, lateral");
   v("com_z_kp", s.com_z_kp, "1/s^2", "COM, height");
   v("com_z_kd", s.com_z_kd, "1/s", "COM, height");
-  v("lateral_feedback", s.lateral_feedback, "", "shift the lateral reference ZMP so that the orbit repeats; False: (17) alone");
+  v("lateral_feedback", s.lateral_feedback, "",
+    "shift the lateral reference ZMP so that the orbit repeats; False: (17) alone");
   v("lateral_reach", s.lateral_reach, "", "largest such shift, as a share of the half sole width");
   v("footsteps", s.footsteps, "", "'tied' to the COM, 'absolute', 'paper', 'printed' or 'list' (step_lengths)");
   v("step_lengths", s.step_lengths, "m", "lead of each step over the stance foot, the last one repeated");
   v("step_width", s.step_width, "m", "lateral distance of the feet; NaN: as they stand at the start");
-  v("step_height", s.step_height, "m", "height of the swing foot; NaN: 0.0535 of the COM height, less where the knee's rotor and damping forbid it");
-  v("foothold_reach", s.foothold_reach, "m", "tied footholds: largest distance from the nominal foothold; NaN: 0.11 of the COM height");
-  v("com_lead", s.com_lead, "m", "tied footholds: how far the COM rides ahead of the middle of the feet, so that a foot is not loaded on its heel; NaN: 0.0134 of the COM height");
-  v("foothold_time", s.foothold_time, "s", "tied footholds: time constant of the low-pass on the target; NaN: 0.18 T_c");
-  v("foothold_freeze", s.foothold_freeze, "", "tied footholds: share of the single support after which the target stands");
+  v("step_height", s.step_height, "m",
+    "height of the swing foot; NaN: 0.0535 of the COM height, less where the knee's rotor and damping forbid it");
+  v("foothold_reach", s.foothold_reach, "m",
+    "tied footholds: largest distance from the nominal foothold; NaN: 0.11 of the COM height");
+  v("com_lead", s.com_lead, "m",
+    "tied footholds: how far the COM rides ahead of the middle of the feet, so that a foot is not loaded on its heel; "
+    "NaN: 0.0134 of the COM height");
+  v("foothold_time", s.foothold_time, "s",
+    "tied footholds: time constant of the low-pass on the target; NaN: 0.18 T_c");
+  v("foothold_freeze", s.foothold_freeze, "",
+    "tied footholds: share of the single support after which the target stands");
   v("swing_feed_forward", s.swing_feed_forward, "", "add the spline's acceleration to the swing foot's task");
   v("swing_kp", s.swing_kp, "1/s^2", "swing foot, position and orientation");
   v("swing_kd", s.swing_kd, "1/s", "swing foot, position and orientation");
@@ -102,27 +113,32 @@ void visit_settings(Settings& s, Visitor&& v) {
   v("posture_kp", s.posture_kp, "1/s^2", "joints that are in no leg");
   v("posture_kd", s.posture_kd, "1/s", "joints that are in no leg");
   v("posture_task", s.posture_task, "", "stack the posture of waist and arms");
-  v("wrench_distribution", s.wrench_distribution, "", "share the load of two standing feet; False: minimum-norm torque");
-  v("contact_damping", s.contact_damping, "1/s", "damping of the velocity of a standing foot that does not carry the ZMP: without load it would drift off the ground");
+  v("wrench_distribution", s.wrench_distribution, "",
+    "share the load of two standing feet; False: minimum-norm torque");
+  v("contact_damping", s.contact_damping, "1/s",
+    "damping of the velocity of a standing foot that does not carry the ZMP: without load it would drift off the "
+    "ground");
   v("textbook", s.textbook, "", "equations 1-13 as printed instead of the direct path: slower, the same numbers");
   v("singular_damping", s.singular_damping, "", "damping of the motion where a leg is straight");
   v("singular_pivot", s.singular_pivot, "", "pivot below which a leg counts as straight");
-  v("friction_velocity", s.friction_velocity, "rad/s", "joint speed below which dry friction is taken as proportional to speed");
-  v("fall_height", s.fall_height, "", "COM height over the support foot, as a share of the start's, that counts as a fall");
+  v("friction_velocity", s.friction_velocity, "rad/s",
+    "joint speed below which dry friction is taken as proportional to speed");
+  v("fall_height", s.fall_height, "",
+    "COM height over the support foot, as a share of the start's, that counts as a fall");
   v("fall_tilt", s.fall_tilt, "rad", "trunk tilt that counts as a fall");
   v("fall_foot_tilt", s.fall_foot_tilt, "rad", "tilt of the foot that stands alone that counts as a fall");
 }
 
 /// What the defaults scale with.
 struct RobotScale {
-  double com_height = 0.0;        ///< over the soles, at the start pose [m]
-  double gravity = 0.0;           ///< [m/s^2]
-  double timestep = 0.0;          ///< of the model [s]
-  double foot_distance = 0.0;     ///< lateral, at the start pose [m]
+  double com_height = 0.0;     ///< over the soles, at the start pose [m]
+  double gravity = 0.0;        ///< [m/s^2]
+  double timestep = 0.0;       ///< of the model [s]
+  double foot_distance = 0.0;  ///< lateral, at the start pose [m]
   // What it costs the knee to lift the foot; nothing by default.
-  double knee_per_lift = 0.0;     ///< knee angle per height of the foot, at the start pose [rad/m]
-  double knee_armature = 0.0;     ///< [kg m^2]
-  double knee_damping = 0.0;      ///< [N m s/rad]
+  double knee_per_lift = 0.0;  ///< knee angle per height of the foot, at the start pose [rad/m]
+  double knee_armature = 0.0;  ///< [kg m^2]
+  double knee_damping = 0.0;   ///< [N m s/rad]
   double knee_torque = std::numeric_limits<double>::infinity();  ///< limit [N m]
 };
 

@@ -49,10 +49,10 @@ class Recorder {
 /// How a run ended.
 struct RunResult {
   Fall fell = Fall::kNone;
-  double fall_time = kNaN;          ///< [s]
-  bool stopped = false;             ///< the progress callback asked for it
-  double wall_time = 0.0;           ///< [s]
-  std::vector<double> cycle_us;     ///< time of each control cycle [us]
+  double fall_time = kNaN;       ///< [s]
+  bool stopped = false;          ///< the progress callback asked for it
+  double wall_time = 0.0;        ///< [s]
+  std::vector<double> cycle_us;  ///< time of each control cycle [us]
 };
 
 /// The closed loop in C++: controller, physics, recording. Knows nothing of Python.

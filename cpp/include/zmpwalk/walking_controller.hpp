@@ -21,21 +21,22 @@ std::string to_string(Fall fall);
 
 /// Everything one cycle decided; every number that a figure shows. SI, W, unless said.
 struct CycleOutput {
-  double t = 0.0;                                   ///< simulation time of the state [s]
-  Vec3 com = Vec3::Zero(), dcom = Vec3::Zero();     ///< measured
-  Vec3 com_des = Vec3::Zero(), dcom_des = Vec3::Zero();  ///< for the next cycle: x_d, v_d of (16), (17)
-  Vec3 v_plan = Vec3::Zero();                       ///< planned velocity (v_x, v_y, w_z), heading frame
-  Vec3 v_des = Vec3::Zero();                        ///< desired velocity, heading frame
-  Vec3 v_error_integral = Vec3::Zero();             ///< integral of v_des - v_plan [m, m, rad]
-  Vec2 zmp_des = Vec2::Zero();                      ///< desired
-  Vec2 zmp_ref = Vec2::Zero();                      ///< reference of the pendulum
-  Vec2 zmp_est = Vec2::Zero();                      ///< estimated from the torque
+  double t = 0.0;                                           ///< simulation time of the state [s]
+  Vec3 com = Vec3::Zero(), dcom = Vec3::Zero();             ///< measured
+  Vec3 com_des = Vec3::Zero(), dcom_des = Vec3::Zero();     ///< for the next cycle: x_d, v_d of (16), (17)
+  Vec3 v_plan = Vec3::Zero();                               ///< planned velocity (v_x, v_y, w_z), heading frame
+  Vec3 v_des = Vec3::Zero();                                ///< desired velocity, heading frame
+  Vec3 v_error_integral = Vec3::Zero();                     ///< integral of v_des - v_plan [m, m, rad]
+  Vec2 zmp_des = Vec2::Zero();                              ///< desired
+  Vec2 zmp_ref = Vec2::Zero();                              ///< reference of the pendulum
+  Vec2 zmp_est = Vec2::Zero();                              ///< estimated from the torque
   Vec2 zmp_lower = Vec2::Zero(), zmp_upper = Vec2::Zero();  ///< designed bounds
-  Vec2 zmp_first = Vec2::Constant(kNaN);            ///< estimate of the first pass (r_ref = r_des); NaN where the ZMP was left alone
-  Vec2 zmp_slope = Vec2::Zero();                    ///< d zmp_est / d zmp_ref, each axis
-  Vec2 zmp_modified = Vec2::Zero();                 ///< -1 brought to the lower bound, +1 to the upper, 0 left alone
-  int phase = 0;                                    ///< 0 double, 1 single support
-  int support = 1;                                  ///< +1 left, -1 right
+  Vec2 zmp_first =
+      Vec2::Constant(kNaN);          ///< estimate of the first pass (r_ref = r_des); NaN where the ZMP was left alone
+  Vec2 zmp_slope = Vec2::Zero();     ///< d zmp_est / d zmp_ref, each axis
+  Vec2 zmp_modified = Vec2::Zero();  ///< -1 brought to the lower bound, +1 to the upper, 0 left alone
+  int phase = 0;                     ///< 0 double, 1 single support
+  int support = 1;                   ///< +1 left, -1 right
   int step = 0;
   double phase_time = 0.0;                          ///< [s]
   double w_T = kNaN;                                ///< Eq. 18 [m/s]
@@ -47,7 +48,7 @@ struct CycleOutput {
   double torque_ratio = 0.0;                        ///< largest |tau| / limit
   bool saturated = false;                           ///< a torque was cut to its limit
   bool damped = false;                              ///< a straight leg damped the motion
-  bool fresh = false;                               ///< computed in this call; false where the torque of an earlier one is held
+  bool fresh = false;  ///< computed in this call; false where the torque of an earlier one is held
   Fall fell = Fall::kNone;
 };
 
@@ -59,7 +60,8 @@ class WalkingController {
  public:
   /// @param model must outlive the controller
   /// @throws ModelError, InputError (settings, a profile faster than the legs reach)
-  WalkingController(const mjModel* model, const RobotDescription& description, const WalkSettings& settings = WalkSettings(),
+  WalkingController(const mjModel* model, const RobotDescription& description,
+                    const WalkSettings& settings = WalkSettings(),
                     const VelocityProfile& profile = VelocityProfile::paper());
   WalkingController(const WalkingController&) = delete;
   WalkingController& operator=(const WalkingController&) = delete;
@@ -76,8 +78,8 @@ class WalkingController {
   const WalkSettings& settings() const { return settings_; }
   const VelocityProfile& profile() const { return profile_; }
   const Robot& robot() const { return robot_; }
-  double com_height() const { return com_height_; }   ///< z_c over the soles [m]
-  double Tc() const { return pendulum_.Tc(); }        ///< [s]
+  double com_height() const { return com_height_; }                   ///< z_c over the soles [m]
+  double Tc() const { return pendulum_.Tc(); }                        ///< [s]
   const ZmpBounds& bounds(Side side) const { return bounds_[side]; }  ///< in the sole's axes, about its centre
 
   /// Largest speed the legs can reach at this step period, v (T + T_ds)/2 from hip to ankle with the knee still bent [m/s].
@@ -86,8 +88,8 @@ class WalkingController {
   double plan_mismatch(double duration) const;
 
  private:
-  struct Command {         // what a reference ZMP leads to, in S
-    Vec2 x_d, v_d, f;      // next COM state (16), commanded acceleration (8)
+  struct Command {     // what a reference ZMP leads to, in S
+    Vec2 x_d, v_d, f;  // next COM state (16), commanded acceleration (8)
   };
   Command command(const Vec2& r) const;
   void task_accelerations(const GaitOutput& gait);
@@ -96,7 +98,8 @@ class WalkingController {
   void check_fall(const GaitOutput& gait);
   double reach(double least_knee) const;  // of the hips over an ankle along x, at the height of the start pose [m]
   void check_profile() const;
-  double start_excursion(double scale) const;  // of the COM from the first stance foot, for the profile times `scale` [m]
+  double start_excursion(
+      double scale) const;  // of the COM from the first stance foot, for the profile times `scale` [m]
 
   Robot robot_;
   VelocityProfile profile_;
@@ -114,17 +117,17 @@ class WalkingController {
   double t_start_ = 0.0;
   int ticks_per_cycle_ = 1;
   long tick_ = 0;
-  double ground_ = 0.0;            // height of the soles at the start
-  Mat3 R_HB_;                      // trunk in the heading frame at the start
-  std::array<Vec3, 2> up_;         // normals of the soles at the start
+  double ground_ = 0.0;                                    // height of the soles at the start
+  Mat3 R_HB_;                                              // trunk in the heading frame at the start
+  std::array<Vec3, 2> up_;                                 // normals of the soles at the start
   Vec2 com_des_ = Vec2::Zero(), dcom_des_ = Vec2::Zero();  // previous desired state, W
 
   // Of this cycle
-  Vec2 x_, v_;                     // "current" COM state of (16), S
-  Vec2 x_meas_, v_meas_;           // measured, S
+  Vec2 x_, v_;            // "current" COM state of (16), S
+  Vec2 x_meas_, v_meas_;  // measured, S
   Vec2 kp_, kd_, df_dr_;
   Mat2 R_S_;
-  Vec2 f_xy_ = Vec2::Zero();       // commanded COM acceleration, W
+  Vec2 f_xy_ = Vec2::Zero();  // commanded COM acceleration, W
   TaskAccelerations f_star_;
   WholeBodyResult result_;
   CycleOutput out_;

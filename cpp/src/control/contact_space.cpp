@@ -32,15 +32,16 @@ void ContactSpace::compute(const ConstMatRef& A, const ConstVecRef& b, const Con
   gram_.noalias() = J_c_ * AinvJT_;
   gram_llt_.compute(gram_);
   Lambda_c_.setIdentity();
-  gram_llt_.solveInPlace(Lambda_c_);  // Eq. (10)
+  gram_llt_.solveInPlace(Lambda_c_);                     // Eq. (10)
   JbarT_c_.noalias() = Lambda_c_ * AinvJT_.transpose();  // Eq. (13)
   mu_c_.noalias() = JbarT_c_ * b;
   mu_c_.noalias() -= Lambda_c_ * drift_c_;  // Eq. (11)
-  p_c_.noalias() = JbarT_c_ * g;  // Eq. (12)
+  p_c_.noalias() = JbarT_c_ * g;            // Eq. (12)
 }
 
 void ContactSpace::wrench(const ConstVecRef& tau, Eigen::Ref<VecX> f_c) const {
-  f_c.noalias() = JbarT_c_.rightCols(tau.size()) * tau - mu_c_ - p_c_;  // Eq. (9)
+  f_c.noalias() = JbarT_c_.rightCols(tau.size()) * tau;  // Eq. (9)
+  f_c -= mu_c_ + p_c_;
 }
 
 RowMatX ContactSpace::N_c() const {

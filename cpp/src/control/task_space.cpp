@@ -17,10 +17,10 @@ TaskSpace::TaskSpace(const ContactSpace& contact, const ConstVecRef& b, const Co
   const RowMatX B = 0.5 * (AinvNc + AinvNc.transpose());  // symmetric by (2), (13)
 
   Lambda = inverse_spd(J * B * J.transpose());  // Eq. (3)
-  JbarT = Lambda * J * B;  // Eq. (4)
+  JbarT = Lambda * J * B;                       // Eq. (4)
   mu = JbarT * b - Lambda * drift +
        Lambda * J * A_inv * contact.J_c().transpose() * contact.Lambda_c() * contact.drift_c();  // Eq. (5)
-  p = JbarT * g;  // Eq. (6)
+  p = JbarT * g;                                                                                 // Eq. (6)
 
   // (J^k)' = W^+ S B J' with W = S B S'; W loses exactly rows(J_c) - 6 ranks: those of the internal forces.
   const int internal = static_cast<int>(contact.J_c().rows()) - 6;

@@ -9,7 +9,8 @@
 
 namespace zmpwalk {
 
-WholeBodyController::WholeBodyController(int nv, const std::array<std::vector<int>, 2>& legs, const WholeBodyOptions& options)
+WholeBodyController::WholeBodyController(int nv, const std::array<std::vector<int>, 2>& legs,
+                                         const WholeBodyOptions& options)
     : nv_(nv),
       legs_(legs),
       options_(options),
@@ -24,7 +25,8 @@ WholeBodyController::WholeBodyController(int nv, const std::array<std::vector<in
     require_size("legs[side]", static_cast<long>(legs[side].size()), 6);
     for (int i = 0; i < 6; ++i) {
       if (legs[side][i] < 0 || legs[side][i] >= nv - 6)
-        throw DimensionError("leg joint index " + std::to_string(legs[side][i]) + " is outside 0.." + std::to_string(nv - 7));
+        throw DimensionError("leg joint index " + std::to_string(legs[side][i]) + " is outside 0.." +
+                             std::to_string(nv - 7));
       unknown_[3 + 6 * side + i] = 6 + legs[side][i];
     }
   }
@@ -42,7 +44,8 @@ WholeBodyResult WholeBodyController::result() const {
 void WholeBodyController::prepare(const Dynamics& dynamics, const Stance& stance, const TaskAccelerations& f_star) {
   require_size("dynamics.dq", dynamics.nv(), nv_);
   require_size("f_star.posture", f_star.posture.size(), nv_ - 6);
-  if (!stance.standing[kLeft] && !stance.standing[kRight]) throw InputError("no foot stands; walking needs at least one");
+  if (!stance.standing[kLeft] && !stance.standing[kRight])
+    throw InputError("no foot stands; walking needs at least one");
   dynamics_ = &dynamics;
   stance_ = stance;
   if (uses_textbook())
@@ -148,7 +151,8 @@ void WholeBodyController::prepare_textbook(const TaskAccelerations& f_star) {
   contact.wrench(tau_.col(0), f_c_.block(first, 0, J_c.rows(), 1).col(0));
   f_c_.block(first, 1, J_c.rows(), 2) = JbarT * tau_.rightCols<2>();
   for (int k = 0; k < 3; ++k) {
-    const Wrench total = total_wrench(f_c_.col(k), {dyn.sole[kLeft].p_WF, dyn.sole[kRight].p_WF}, dyn.sole[stance_.support].p_WF);
+    const Wrench total =
+        total_wrench(f_c_.col(k), {dyn.sole[kLeft].p_WF, dyn.sole[kRight].p_WF}, dyn.sole[stance_.support].p_WF);
     F_.col(k) = total.F;
     M_.col(k) = total.M;
   }
@@ -168,6 +172,7 @@ void WholeBodyController::prepare_textbook(const TaskAccelerations& f_star) {
 }
 
 void WholeBodyController::solve(const Vec2& f_xy, WholeBodyResult& out) const {
+  if (!dynamics_) throw InputError("solve was called before prepare");
   const Dynamics& dyn = *dynamics_;
   const Vec3 at(1.0, f_xy.x(), f_xy.y());
   out.ddq.noalias() = ddq_ * at;

@@ -5,7 +5,8 @@
 
 namespace zmpwalk {
 
-Vec12 distribute_wrench(const Vec3& F, const Vec3& M_P, const Vec3& P, const std::array<Vec3, 2>& c, const Vec3& along) {
+Vec12 distribute_wrench(const Vec3& F, const Vec3& M_P, const Vec3& P, const std::array<Vec3, 2>& c,
+                        const Vec3& along) {
   Vec3 axis = along;
   double span = (c[kLeft] - c[kRight]).dot(axis);
   if (std::abs(span) < 0.5 * (c[kLeft] - c[kRight]).norm()) {  // feet nearly in line: share along the line between them

@@ -42,13 +42,14 @@ Foothold FootstepPlanner::begin_step(int n, Side swing, const Foothold& stance, 
   return target_;
 }
 
-const Foothold& FootstepPlanner::update(const Vec2& com, const Vec2& dcom, double t, double t_mid, double period, double Tc,
-                                        double share, double dt) {
+const Foothold& FootstepPlanner::update(const Vec2& com, const Vec2& dcom, double t, double t_mid, double period,
+                                        double Tc, double share, double dt) {
   if (settings_.footsteps != Footsteps::kTied || share > settings_.foothold_freeze) return target_;
   const Vec2 ahead = direction(heading_);
   const double v_plan = profile_->velocity(t).x();
   const double L = lead(0, t_mid, period);
-  const double x_T = com.dot(ahead) + profile_->displacement(t, t_mid).x() + Tc * (dcom.dot(ahead) - v_plan) + 0.5 * L - settings_.com_lead;
+  const double x_T = com.dot(ahead) + profile_->displacement(t, t_mid).x() + Tc * (dcom.dot(ahead) - v_plan) + 0.5 * L -
+                     settings_.com_lead;
   const double reach = settings_.foothold_reach;
   const double wanted = std::clamp(x_T - nominal_.p.dot(ahead), -reach, reach);
   const double now = (target_.p - nominal_.p).dot(ahead);

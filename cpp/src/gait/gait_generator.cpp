@@ -51,8 +51,10 @@ const GaitOutput& GaitGenerator::update(const GaitInput& in) {
     const Side stance = other(out_.swing);
     out_.standing[out_.swing] = false;
     if (changed) {
-      footsteps_.begin_step(out_.phase.step, out_.swing, foothold_of(in.p_sole[stance], in.R_sole[stance]), t_mid, schedule_.period());
-      swing_foot_.begin(in.p_sole[out_.swing], in.R_sole[out_.swing], out_.phase.duration, in.p_sole[stance].z(), settings_.step_height);
+      footsteps_.begin_step(out_.phase.step, out_.swing, foothold_of(in.p_sole[stance], in.R_sole[stance]), t_mid,
+                            schedule_.period());
+      swing_foot_.begin(in.p_sole[out_.swing], in.R_sole[out_.swing], out_.phase.duration, in.p_sole[stance].z(),
+                        settings_.step_height);
     }
     out_.foothold = footsteps_.update(in.com, in.dcom, in.t, t_mid, schedule_.period(), pendulum_.Tc(),
                                       out_.phase.time / out_.phase.duration, dt);
@@ -64,7 +66,8 @@ const GaitOutput& GaitGenerator::update(const GaitInput& in) {
   const PendulumState y{(in.com - out_.origin).dot(left), in.dcom.dot(left)};
   const Side to = other(out_.support);
   const Vec2 there = single ? out_.foothold.p : Vec2(in.p_sole[to].head<2>());
-  out_.zmp_lateral = lateral_.reference(pendulum_, y, std::abs((there - out_.origin).dot(left)), out_.phase.to_mid_double, schedule_.period());
+  out_.zmp_lateral = lateral_.reference(pendulum_, y, std::abs((there - out_.origin).dot(left)),
+                                        out_.phase.to_mid_double, schedule_.period());
   if (!single && lateral_.awaits_switch()) {
     const bool last = out_.phase.time + 1.5 * dt >= out_.phase.duration;
     const double across = (in.p_sole[to].head<2>() - out_.origin).dot(left);

@@ -19,8 +19,8 @@ void LateralMotion::begin_cycle(bool double_support_began) {
   awaits_ = decided_ = false;
 }
 
-double LateralMotion::check_switch(const LinearInvertedPendulum& pendulum, const PendulumState& now, double r, double other_foot,
-                                   double T, double dt, bool last) {
+double LateralMotion::check_switch(const LinearInvertedPendulum& pendulum, const PendulumState& now, double r,
+                                   double other_foot, double T, double dt, bool last) {
   const auto w_T_after = [&](int cycles) {
     PendulumState s = pendulum.step(cycles * dt, now, r);
     s.x -= other_foot;
@@ -33,8 +33,8 @@ double LateralMotion::check_switch(const LinearInvertedPendulum& pendulum, const
   return next;
 }
 
-double LateralMotion::reference(const LinearInvertedPendulum& pendulum, const PendulumState& state, double width, double time,
-                                double period) const {
+double LateralMotion::reference(const LinearInvertedPendulum& pendulum, const PendulumState& state, double width,
+                                double time, double period) const {
   if (!feedback_ || awaits_ || !(time > 0.0)) return 0.0;
   const double xi_end = -side_sign(support_) * pendulum.orbit_dcm(width, period);
   return std::clamp(pendulum.reference_to_reach(pendulum.dcm(state), xi_end, time), -reach_, reach_);

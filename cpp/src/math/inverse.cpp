@@ -10,7 +10,8 @@ namespace zmpwalk {
 SymmetricFactors factor_symmetric(const ConstMatRef& W, int rank) {
   const int n = static_cast<int>(W.rows());
   require_shape("W", W.rows(), W.cols(), n, n);
-  if (rank < 0 || rank > n) throw DimensionError("rank = " + std::to_string(rank) + "; it must be in 0.." + std::to_string(n));
+  if (rank < 0 || rank > n)
+    throw DimensionError("rank = " + std::to_string(rank) + "; it must be in 0.." + std::to_string(n));
   const Eigen::SelfAdjointEigenSolver<MatX> eigen(0.5 * (W + W.transpose()));  // ascending eigenvalues
   const MatX& V = eigen.eigenvectors();
   const auto range = V.rightCols(rank);

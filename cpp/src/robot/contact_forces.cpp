@@ -9,6 +9,7 @@
 namespace zmpwalk {
 
 MeasuredContact measure_contact(const Robot& robot, const mjData* d) {
+  robot.require_data(d);
   const mjModel* m = robot.model();
   MeasuredContact out;
   for (const Side side : kSides) out.sole[side] = robot.sole_centre(side, d);

@@ -21,7 +21,8 @@ std::string names(const mjModel* m, mjtObj type, int count) {
 int require(const mjModel* m, mjtObj type, int count, const char* kind, const std::string& name) {
   const int id = find(m, type, name);
   if (id < 0)
-    throw ModelError(std::string("the model has no ") + kind + " named '" + name + "'; it has: " + names(m, type, count));
+    throw ModelError(std::string("the model has no ") + kind + " named '" + name +
+                     "'; it has: " + names(m, type, count));
   return id;
 }
 
@@ -62,11 +63,13 @@ RobotDescription describe(const mjModel* m) {
   for (const Side side : kSides) {
     const int site = find(m, mjOBJ_SITE, sites[side]);
     if (site < 0)
-      throw ModelError("the model has no site '" + sites[side] + "' and so no known sole; add box sites left_sole and "
+      throw ModelError("the model has no site '" + sites[side] +
+                       "' and so no known sole; add box sites left_sole and "
                        "right_sole on the sole planes, or pass a robot.json (it has sites: " +
                        names(m, mjOBJ_SITE, m->nsite) + ")");
     if (m->site_type[site] != mjGEOM_BOX)
-      throw ModelError("site '" + sites[side] + "' is not a box; the sole's length and width are read from its box size");
+      throw ModelError("site '" + sites[side] +
+                       "' is not a box; the sole's length and width are read from its box size");
     Foot& foot = out.feet[side];
     bodies[side] = m->site_bodyid[site];
     foot.body = object_name(m, mjOBJ_BODY, bodies[side]);
@@ -81,7 +84,8 @@ RobotDescription describe(const mjModel* m) {
     throw ModelError("the feet hang from body '" + object_name(m, mjOBJ_BODY, m->body_rootid[bodies[kLeft]]) +
                      "', which has no free joint; a walking robot needs a floating base (<freejoint/>)");
   out.root_joint = object_name(m, mjOBJ_JOINT, root);
-  if (out.root_joint.empty()) throw ModelError("the robot's free joint has no name; give it one (<freejoint name=\"root\"/>)");
+  if (out.root_joint.empty())
+    throw ModelError("the robot's free joint has no name; give it one (<freejoint name=\"root\"/>)");
   out.name = object_name(m, mjOBJ_BODY, m->jnt_bodyid[root]);
   for (const Side side : kSides) out.feet[side].leg_joints = leg_joints(m, bodies[side], bodies[other(side)]);
 
@@ -104,7 +108,8 @@ RobotDescription describe(const mjModel* m) {
 void RobotDescription::check(const mjModel* m) const {
   const int root = require(m, mjOBJ_JOINT, m->njnt, "joint", root_joint);
   if (m->jnt_type[root] != mjJNT_FREE)
-    throw ModelError("joint '" + root_joint + "' is not a free joint; a walking robot needs a floating base (<freejoint/>)");
+    throw ModelError("joint '" + root_joint +
+                     "' is not a free joint; a walking robot needs a floating base (<freejoint/>)");
   const int root_body = m->jnt_bodyid[root];
   std::set<std::string> in_legs;
   for (const Side side : kSides) {
@@ -112,7 +117,8 @@ void RobotDescription::check(const mjModel* m) const {
     const std::string which = side == kLeft ? "left" : "right";
     const int body = require(m, mjOBJ_BODY, m->nbody, "body", foot.body);
     if (m->body_rootid[body] != root_body)
-      throw ModelError("the " + which + " foot '" + foot.body + "' does not hang from the free joint '" + root_joint + "'");
+      throw ModelError("the " + which + " foot '" + foot.body + "' does not hang from the free joint '" + root_joint +
+                       "'");
     if (!foot.sole_site.empty()) require(m, mjOBJ_SITE, m->nsite, "site", foot.sole_site);
     if (!(foot.length > 0.0) || !(foot.width > 0.0))
       throw ModelError("the " + which + " sole is " + std::to_string(foot.length) + " x " + std::to_string(foot.width) +
@@ -124,8 +130,10 @@ void RobotDescription::check(const mjModel* m) const {
       const int joint = require(m, mjOBJ_JOINT, m->njnt, "joint", leg_joint);
       const std::vector<int> chain = ancestors(m, body);
       if (std::find(chain.begin(), chain.end(), m->jnt_bodyid[joint]) == chain.end())
-        throw ModelError("joint '" + leg_joint + "' is listed for the " + which + " leg but does not move the foot '" + foot.body + "'");
-      if (!in_legs.insert(leg_joint).second) throw ModelError("joint '" + leg_joint + "' is listed twice among the leg joints");
+        throw ModelError("joint '" + leg_joint + "' is listed for the " + which + " leg but does not move the foot '" +
+                         foot.body + "'");
+      if (!in_legs.insert(leg_joint).second)
+        throw ModelError("joint '" + leg_joint + "' is listed twice among the leg joints");
     }
   }
   for (int j = 0; j < m->njnt; ++j) {
@@ -138,9 +146,10 @@ void RobotDescription::check(const mjModel* m) const {
       if (m->actuator_trntype[a] != mjTRN_JOINT || m->actuator_trnid[2 * a] != j) continue;
       const std::string actuator = object_name(m, mjOBJ_ACTUATOR, a);
       if (m->actuator_gaintype[a] != mjGAIN_FIXED || m->actuator_biastype[a] != mjBIAS_NONE ||
-          m->actuator_dyntype[a] != mjDYN_NONE || m->actuator_gainprm[mjNGAIN * a] != 1.0 || m->actuator_gear[6 * a] == 0.0)
-        throw ModelError("actuator '" + actuator + "' of joint '" + joint + "' is not a plain torque motor; use <motor joint=\"" +
-                         joint + "\" ctrlrange=\"-tau tau\"/>");
+          m->actuator_dyntype[a] != mjDYN_NONE || m->actuator_gainprm[mjNGAIN * a] != 1.0 ||
+          m->actuator_gear[6 * a] == 0.0)
+        throw ModelError("actuator '" + actuator + "' of joint '" + joint +
+                         "' is not a plain torque motor; use <motor joint=\"" + joint + "\" ctrlrange=\"-tau tau\"/>");
       ++motors;
     }
     if (motors != 1)
@@ -148,15 +157,24 @@ void RobotDescription::check(const mjModel* m) const {
                        " motors; each joint of the robot needs exactly one (<motor joint=\"" + joint + "\"/>)");
     const auto stand = stand_joints.find(joint);
     if (stand == stand_joints.end()) throw ModelError("the start pose has no value for joint '" + joint + "'");
-    if (!std::isfinite(stand->second)) throw ModelError("the start pose's value for joint '" + joint + "' is not finite");
+    if (!std::isfinite(stand->second))
+      throw ModelError("the start pose's value for joint '" + joint + "' is not finite");
   }
   for (const auto& entry : stand_joints) require(m, mjOBJ_JOINT, m->njnt, "joint", entry.first);
   if (!stand_base_pos.allFinite() || !(std::abs(stand_base_quat.norm() - 1.0) < 1e-3))
     throw ModelError("the start pose's base is not a position and a unit quaternion (w, x, y, z)");
 }
 
+void require_same_model(const mjData* of_model, const mjData* d) {
+  if (d->nbuffer != of_model->nbuffer)
+    throw InputError("data was made for another model (" + std::to_string(d->nbuffer) +
+                     " bytes of state, this model has " + std::to_string(of_model->nbuffer) +
+                     "); use mujoco.MjData(model)");
+}
+
 void RobotDescription::place(const mjModel* m, mjData* d, double ground) const {
   check(m);
+  require_same_model(MjDataPtr(mj_makeData(m)).get(), d);
   require_finite("ground", ground);
   const int root = find(m, mjOBJ_JOINT, root_joint);
   mjtNum* base = d->qpos + m->jnt_qposadr[root];

@@ -62,12 +62,15 @@ Robot::Robot(const mjModel* m, const RobotDescription& description)
     actuator_.push_back(motor);
     gear_[j] = m->actuator_gear[6 * motor];
     if (m->actuator_ctrllimited[motor])
-      torque_limit_[j] = std::abs(gear_[j]) * std::min(-m->actuator_ctrlrange[2 * motor], m->actuator_ctrlrange[2 * motor + 1]);
+      torque_limit_[j] =
+          std::abs(gear_[j]) * std::min(-m->actuator_ctrlrange[2 * motor], m->actuator_ctrlrange[2 * motor + 1]);
     if (m->actuator_forcelimited[motor])
-      torque_limit_[j] = std::min(torque_limit_[j], std::abs(gear_[j]) * std::min(-m->actuator_forcerange[2 * motor],
-                                                                                  m->actuator_forcerange[2 * motor + 1]));
+      torque_limit_[j] = std::min(
+          torque_limit_[j],
+          std::abs(gear_[j]) * std::min(-m->actuator_forcerange[2 * motor], m->actuator_forcerange[2 * motor + 1]));
     if (!(torque_limit_[j] > 0.0))
-      throw ModelError("motor of joint '" + joint_names_.back() + "' has a control range without 0 inside; use ctrlrange=\"-tau tau\"");
+      throw ModelError("motor of joint '" + joint_names_.back() +
+                       "' has a control range without 0 inside; use ctrlrange=\"-tau tau\"");
   }
   for (const Side side : kSides) {
     const Foot& foot = description.feet[side];
@@ -95,14 +98,17 @@ Robot::Robot(const mjModel* m, const RobotDescription& description)
       const Vec3 p_F = sole.R_WF.transpose() * vec3(p);
       return Vec2(p_F.x(), p_F.z());
     };
-    const Vec2 hip = anchor(pitch_joint(side, 0, 3)), knee = anchor(leg_joints_[side][3]), foot = anchor(pitch_joint(side, 4, 6));
+    const Vec2 hip = anchor(pitch_joint(side, 0, 3)), knee = anchor(leg_joints_[side][3]),
+               foot = anchor(pitch_joint(side, 4, 6));
     leg_[side] = {(knee - hip).norm(), (foot - knee).norm(), foot - hip, leg_joints_[side][3]};
   }
 }
 
 int Robot::pitch_joint(Side side, int first, int last) const {
   const SoleState& sole = dynamics_.sole[side];
-  const auto share = [&](int i) { return std::abs(sole.J.col(6 + leg_joints_[side][i]).tail<3>().dot(sole.R_WF.col(1))); };
+  const auto share = [&](int i) {
+    return std::abs(sole.J.col(6 + leg_joints_[side][i]).tail<3>().dot(sole.R_WF.col(1)));
+  };
   int best = first;
   for (int i = first + 1; i < last; ++i)
     if (share(i) > share(best)) best = i;
@@ -114,6 +120,8 @@ bool Robot::is_foot(Side side, int body) const {
     if (body == foot_body_[side]) return true;
   return false;
 }
+
+void Robot::require_data(const mjData* d) const { require_same_model(data_.get(), d); }
 
 bool Robot::is_finite(const mjData* d) const {
   for (int i = 0; i < nv_ + 1; ++i)

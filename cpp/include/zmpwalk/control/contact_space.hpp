@@ -25,14 +25,14 @@ class ContactSpace {
   /// Eq. 9: wrench of the robot on the ground that joint torque `tau` (joints,) [N m] produces, into `f_c` (rows,). Allocates nothing.
   void wrench(const ConstVecRef& tau, Eigen::Ref<VecX> f_c) const;
 
-  const RowMatX& Lambda_c() const { return Lambda_c_; }   ///< (rows, rows)
-  const RowMatX& JbarT_c() const { return JbarT_c_; }     ///< (rows, nv), transpose of the dynamically consistent inverse
-  const VecX& mu_c() const { return mu_c_; }              ///< (rows,)
-  const VecX& p_c() const { return p_c_; }                ///< (rows,)
-  const RowMatX& J_c() const { return J_c_; }             ///< (rows, nv)
-  const VecX& drift_c() const { return drift_c_; }        ///< (rows,)
-  RowMatX N_c() const;                                    ///< (nv, nv); allocates
-  RowMatX A_inv() const;                                  ///< (nv, nv); allocates
+  const RowMatX& Lambda_c() const { return Lambda_c_; }  ///< (rows, rows)
+  const RowMatX& JbarT_c() const { return JbarT_c_; }  ///< (rows, nv), transpose of the dynamically consistent inverse
+  const VecX& mu_c() const { return mu_c_; }           ///< (rows,)
+  const VecX& p_c() const { return p_c_; }             ///< (rows,)
+  const RowMatX& J_c() const { return J_c_; }          ///< (rows, nv)
+  const VecX& drift_c() const { return drift_c_; }     ///< (rows,)
+  RowMatX N_c() const;                                 ///< (nv, nv); allocates
+  RowMatX A_inv() const;                               ///< (nv, nv); allocates
 
  private:
   Eigen::LLT<MatX> A_llt_;

@@ -13,10 +13,10 @@ namespace zmpwalk {
 
 /// Commanded accelerations f* of the stacked tasks.
 struct TaskAccelerations {
-  Vec3 com = Vec3::Zero();     ///< COM, W [m/s^2]
-  Vec3 trunk = Vec3::Zero();   ///< base orientation, world axes [rad/s^2]
-  Vec6 swing = Vec6::Zero();   ///< swing sole, linear then angular, world axes; used where one foot stands
-  VecX posture;                ///< (joints,) [rad/s^2]; entries of leg joints are not used
+  Vec3 com = Vec3::Zero();    ///< COM, W [m/s^2]
+  Vec3 trunk = Vec3::Zero();  ///< base orientation, world axes [rad/s^2]
+  Vec6 swing = Vec6::Zero();  ///< swing sole, linear then angular, world axes; used where one foot stands
+  VecX posture;               ///< (joints,) [rad/s^2]; entries of leg joints are not used
 };
 
 /// Which feet stand, and about which the ZMP is taken.
@@ -30,20 +30,21 @@ struct Stance {
 
 /// How the torque is found; the defaults give the product, the others show what an ingredient is for.
 struct WholeBodyOptions {
-  bool textbook = false;            ///< equations 1-13 as printed instead of the direct path
-  bool posture_task = true;         ///< stack waist and arms; without it their motion is left to the minimum-norm torque
+  bool textbook = false;     ///< equations 1-13 as printed instead of the direct path
+  bool posture_task = true;  ///< stack waist and arms; without it their motion is left to the minimum-norm torque
   bool wrench_distribution = true;  ///< share the load in double support; without it the minimum-norm torque decides
-  double contact_damping = 0.0;     ///< of a standing foot that does not carry the ZMP [1/s]: without load it would drift
-  double damping = 1e-3;            ///< of the least-squares motion where a leg is straight [1 in rows of K]
-  double singular_pivot = 1e-2;     ///< pivot below which the legs count as singular
+  double contact_damping = 0.0;  ///< of a standing foot that does not carry the ZMP [1/s]: without load it would drift
+  double damping = 1e-3;         ///< of the least-squares motion where a leg is straight [1 in rows of K]
+  double singular_pivot = 1e-2;  ///< pivot below which the legs count as singular
 };
 
 /// Torque, motion and contact wrenches of one cycle.
 struct WholeBodyResult {
-  VecX tau;                               ///< (joints,) [N m]
-  VecX ddq;                               ///< (nv,)
-  Vec12 f_c = Vec12::Constant(kNaN);      ///< robot on ground, left then right, at the sole centres, world axes; NaN in the air
-  bool damped = false;                    ///< a leg was near singular and the motion was damped
+  VecX tau;  ///< (joints,) [N m]
+  VecX ddq;  ///< (nv,)
+  Vec12 f_c =
+      Vec12::Constant(kNaN);  ///< robot on ground, left then right, at the sole centres, world axes; NaN in the air
+  bool damped = false;        ///< a leg was near singular and the motion was damped
 };
 
 /// Contact-consistent whole-body control of a biped: COM, trunk orientation, swing foot and posture, stacked.
@@ -90,19 +91,19 @@ class WholeBodyController {
 
   int nv_;
   std::array<std::vector<int>, 2> legs_;
-  std::vector<int> posture_;   // joints that are in no leg
+  std::vector<int> posture_;  // joints that are in no leg
   std::array<int, kUnknowns> unknown_{};
   WholeBodyOptions options_;
 
   const Dynamics* dynamics_ = nullptr;
   Stance stance_;
   bool damped_ = false;
-  MatX3 ddq_, w_;              // columns: value at f_xy = 0, slope in x, slope in y; w = A ddq + h
-  Mat3 F_, M_;                 // total wrench about the support sole, same columns
+  MatX3 ddq_, w_;  // columns: value at f_xy = 0, slope in x, slope in y; w = A ddq + h
+  Mat3 F_, M_;     // total wrench about the support sole, same columns
   Vec2 zmp_0_ = Vec2::Zero();
   Mat2 zmp_slope_ = Mat2::Zero();
-  MatX3 tau_, f_c_;            // textbook path: torque and contact wrench, same columns
-  RowMatX V_n_, G_;            // textbook path, two feet: internal torques and what they do to f_c
+  MatX3 tau_, f_c_;  // textbook path: torque and contact wrench, same columns
+  RowMatX V_n_, G_;  // textbook path, two feet: internal torques and what they do to f_c
 };
 
 }  // namespace zmpwalk

@@ -37,7 +37,8 @@ class FootstepPlanner {
   /// Foothold for this cycle, tied to the COM where that is the setting.
   ///
   /// @param com, dcom  COM in the horizontal plane, W   @param t time [s]   @param share of the single support that has gone by
-  const Foothold& update(const Vec2& com, const Vec2& dcom, double t, double t_mid, double period, double Tc, double share, double dt);
+  const Foothold& update(const Vec2& com, const Vec2& dcom, double t, double t_mid, double period, double Tc,
+                         double share, double dt);
 
   const Foothold& target() const { return target_; }
 
@@ -48,8 +49,8 @@ class FootstepPlanner {
   WalkSettings settings_;
   const VelocityProfile* profile_;
   double heading_ = 0.0;
-  Vec2 origin_ = Vec2::Zero();        // middle of the feet at the start
-  std::array<Foothold, 2> planned_;   // where the plan has the feet, for "absolute"
+  Vec2 origin_ = Vec2::Zero();       // middle of the feet at the start
+  std::array<Foothold, 2> planned_;  // where the plan has the feet, for "absolute"
   Foothold nominal_, target_;
 };
 

@@ -12,24 +12,24 @@ namespace zmpwalk {
 
 /// What the gait needs to see of the robot.
 struct GaitInput {
-  double t = 0.0;                                   ///< since the walk began [s]
-  Vec2 com = Vec2::Zero(), dcom = Vec2::Zero();     ///< "current" COM state of (16), (17), W [m, m/s]
-  std::array<Vec3, 2> p_sole{Vec3::Zero(), Vec3::Zero()};             ///< sole centres, W [m]
-  std::array<Mat3, 2> R_sole{Mat3::Identity(), Mat3::Identity()};     ///< sole orientations
+  double t = 0.0;                                                  ///< since the walk began [s]
+  Vec2 com = Vec2::Zero(), dcom = Vec2::Zero();                    ///< "current" COM state of (16), (17), W [m, m/s]
+  std::array<Vec3, 2> p_sole{Vec3::Zero(), Vec3::Zero()};          ///< sole centres, W [m]
+  std::array<Mat3, 2> R_sole{Mat3::Identity(), Mat3::Identity()};  ///< sole orientations
 };
 
 /// What the gait asks for in one cycle.
 struct GaitOutput {
   GaitPhase phase;
-  Side support = kLeft;                     ///< foot that carries the ZMP
-  Side swing = kRight;                      ///< foot of this step that swings, or will
+  Side support = kLeft;  ///< foot that carries the ZMP
+  Side swing = kRight;   ///< foot of this step that swings, or will
   std::array<bool, 2> standing{true, true};
-  Vec2 origin = Vec2::Zero();               ///< of the support frame S: support sole's centre, W [m]
-  double heading = 0.0;                     ///< of S: its x axis in W [rad]
-  double zmp_lateral = 0.0;                 ///< reference ZMP along S's y [m]
-  double w_T = kNaN;                        ///< Eq. 18 in double support before the switch [m/s], else NaN
-  Foothold foothold;                        ///< of the swing foot; NaN in double support
-  SwingTarget swing_target;                 ///< meaningful in single support
+  Vec2 origin = Vec2::Zero();  ///< of the support frame S: support sole's centre, W [m]
+  double heading = 0.0;        ///< of S: its x axis in W [rad]
+  double zmp_lateral = 0.0;    ///< reference ZMP along S's y [m]
+  double w_T = kNaN;           ///< Eq. 18 in double support before the switch [m/s], else NaN
+  Foothold foothold;           ///< of the swing foot; NaN in double support
+  SwingTarget swing_target;    ///< meaningful in single support
 };
 
 /// The gait: phases, support switch, footholds and swing foot, from time and the COM. Knows no torque and no simulator.

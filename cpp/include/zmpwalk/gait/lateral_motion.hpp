@@ -26,8 +26,8 @@ class LateralMotion {
   /// @param T          from now to the middle of the next single support [s]        @param dt control period [s]
   /// @param last       the double support ends with this cycle: switch whatever (18) says
   /// @return           w(T), eq. 18, for a switch in the next cycle [m/s]
-  double check_switch(const LinearInvertedPendulum& pendulum, const PendulumState& now, double r, double other_foot, double T, double dt,
-                      bool last);
+  double check_switch(const LinearInvertedPendulum& pendulum, const PendulumState& now, double r, double other_foot,
+                      double T, double dt, bool last);
 
   /// Takes a switch that was decided in the previous cycle; call first in each cycle.
   void begin_cycle(bool double_support_began);
@@ -36,7 +36,8 @@ class LateralMotion {
   ///
   /// @param state  lateral COM state about the support's sole centre   @param width  lateral distance to the other foot [m], > 0
   /// @param time   until the middle of the next double support [s]     @param period  of a step [s]
-  double reference(const LinearInvertedPendulum& pendulum, const PendulumState& state, double width, double time, double period) const;
+  double reference(const LinearInvertedPendulum& pendulum, const PendulumState& state, double width, double time,
+                   double period) const;
 
   Side support() const { return support_; }
   /// True in double support until the switch.

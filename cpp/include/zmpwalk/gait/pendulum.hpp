@@ -15,8 +15,8 @@ class LinearInvertedPendulum {
   /// @throws InputError either is not finite and > 0
   LinearInvertedPendulum(double z_c, double gravity);
 
-  double Tc() const { return Tc_; }             ///< [s]
-  double omega() const { return 1.0 / Tc_; }    ///< [rad/s]
+  double Tc() const { return Tc_; }           ///< [s]
+  double omega() const { return 1.0 / Tc_; }  ///< [rad/s]
 
   /// Eq. 16 (corrected: no 1/T_c): state after `dt` [s] under a constant reference ZMP `r` [m].
   PendulumState step(double dt, const PendulumState& s, double r) const;

@@ -8,12 +8,12 @@ namespace zmpwalk {
 
 /// Desired motion of the swing sole in W.
 struct SwingTarget {
-  Vec3 p = Vec3::Zero();        ///< sole centre [m]
-  Vec3 v = Vec3::Zero();        ///< [m/s]
-  Vec3 a = Vec3::Zero();        ///< [m/s^2]
-  Mat3 R = Mat3::Identity();    ///< sole orientation
-  Vec3 omega = Vec3::Zero();    ///< [rad/s], world axes
-  Vec3 alpha = Vec3::Zero();    ///< [rad/s^2]
+  Vec3 p = Vec3::Zero();      ///< sole centre [m]
+  Vec3 v = Vec3::Zero();      ///< [m/s]
+  Vec3 a = Vec3::Zero();      ///< [m/s^2]
+  Mat3 R = Mat3::Identity();  ///< sole orientation
+  Vec3 omega = Vec3::Zero();  ///< [rad/s], world axes
+  Vec3 alpha = Vec3::Zero();  ///< [rad/s^2]
 };
 
 /// Trajectory of the swing foot: cubic splines (section IV), up and down in z, and to a foothold that may move until late in x, y, yaw.
@@ -32,7 +32,7 @@ class SwingFoot {
  private:
   double duration_ = 0.0;
   Cubic up_, down_;
-  Vec3 from_ = Vec3::Zero();      // x, y, yaw now
+  Vec3 from_ = Vec3::Zero();  // x, y, yaw now
   Vec3 velocity_ = Vec3::Zero();
   SwingTarget target_;
 };

@@ -21,9 +21,9 @@ class VelocityProfile {
   /// The paper's experiment, section IV: 0.063, 0.156, 0.219, 0.25 m/s from 0, 0.8, 1.6, 2.4 s on.
   static VelocityProfile paper();
 
-  Vec3 velocity(double t) const;                      ///< (3,) at time t [s]; before 0 as at 0
-  Vec3 displacement(double t0, double t1) const;      ///< integral of the velocity from t0 to t1 (3,) [m, m, rad]
-  double max_speed() const;                           ///< largest |(v_x, v_y)| [m/s]
+  Vec3 velocity(double t) const;                  ///< (3,) at time t [s]; before 0 as at 0
+  Vec3 displacement(double t0, double t1) const;  ///< integral of the velocity from t0 to t1 (3,) [m, m, rad]
+  double max_speed() const;                       ///< largest |(v_x, v_y)| [m/s]
 
   const std::vector<double>& t() const { return t_; }
   const std::vector<Vec3>& v() const { return v_; }
@@ -35,7 +35,7 @@ class VelocityProfile {
 
   std::vector<double> t_;
   std::vector<Vec3> v_;
-  std::vector<Vec3> sum_;   // integral up to each knot
+  std::vector<Vec3> sum_;  // integral up to each knot
   Interpolation interpolation_;
 };
 

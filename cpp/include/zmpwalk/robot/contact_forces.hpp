@@ -9,9 +9,10 @@ namespace zmpwalk {
 
 /// What MuJoCo's contacts say after a step: they belong to the state **before** it.
 struct MeasuredContact {
-  Vec12 wrench = Vec12::Constant(kNaN);      ///< robot on ground, left then right, at the sole centres, world axes; NaN without contact
+  Vec12 wrench = Vec12::Constant(
+      kNaN);  ///< robot on ground, left then right, at the sole centres, world axes; NaN without contact
   std::array<Vec3, 2> sole{Vec3::Zero(), Vec3::Zero()};  ///< sole centres of that same state, W [m]
-  int self_contacts = 0;                     ///< contacts between two bodies of the robot
+  int self_contacts = 0;                                 ///< contacts between two bodies of the robot
 };
 
 /// Sums the contact forces between each foot and everything that is not the robot. Allocates nothing.

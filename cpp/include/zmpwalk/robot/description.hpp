@@ -13,24 +13,24 @@ namespace zmpwalk {
 
 /// One flat foot: the body it belongs to, its sole, and the joints of its leg from hip to ankle.
 struct Foot {
-  std::string body;                          ///< body that carries the sole
-  std::string sole_site;                     ///< site at the sole's centre; may be empty
-  Vec3 sole_pos = Vec3::Zero();              ///< sole centre in the body's frame, on the sole plane [m]
-  Eigen::Vector4d sole_quat{1, 0, 0, 0};     ///< sole axes in the body's frame (w, x, y, z): x forward, z up
-  double length = 0.0;                       ///< of the sole along its x [m]
-  double width = 0.0;                        ///< of the sole along its y [m]
-  std::vector<std::string> leg_joints;       ///< six joint names, hip to ankle
+  std::string body;                       ///< body that carries the sole
+  std::string sole_site;                  ///< site at the sole's centre; may be empty
+  Vec3 sole_pos = Vec3::Zero();           ///< sole centre in the body's frame, on the sole plane [m]
+  Eigen::Vector4d sole_quat{1, 0, 0, 0};  ///< sole axes in the body's frame (w, x, y, z): x forward, z up
+  double length = 0.0;                    ///< of the sole along its x [m]
+  double width = 0.0;                     ///< of the sole along its y [m]
+  std::vector<std::string> leg_joints;    ///< six joint names, hip to ankle
 };
 
 /// The single thing that tells robots apart. All addressing is by name.
 struct RobotDescription {
   std::string name;
-  std::string root_joint;                     ///< the free joint
-  std::array<Foot, 2> feet;                   ///< left, right
-  std::map<std::string, double> stand_joints; ///< start posture by joint name [rad or m]
-  Vec3 stand_base_pos = Vec3::Zero();         ///< base position of the start pose, soles on z = 0 [m]
-  Eigen::Vector4d stand_base_quat{1, 0, 0, 0};///< base orientation of the start pose (w, x, y, z)
-  std::string stand_keyframe;                 ///< the keyframe the pose came from; may be empty
+  std::string root_joint;                       ///< the free joint
+  std::array<Foot, 2> feet;                     ///< left, right
+  std::map<std::string, double> stand_joints;   ///< start posture by joint name [rad or m]
+  Vec3 stand_base_pos = Vec3::Zero();           ///< base position of the start pose, soles on z = 0 [m]
+  Eigen::Vector4d stand_base_quat{1, 0, 0, 0};  ///< base orientation of the start pose (w, x, y, z)
+  std::string stand_keyframe;                   ///< the keyframe the pose came from; may be empty
 
   /// Throws ModelError unless every name exists in `m` and the robot can be walked: a free joint, two feet with a sole,
   /// six hinges a leg, one torque motor for each joint. Changes nothing.
@@ -42,6 +42,9 @@ struct RobotDescription {
   /// @throws ModelError as check()
   void place(const mjModel* m, mjData* d, double ground = 0.0) const;
 };
+
+/// Throws InputError unless both mjData have the same layout, that is, come from the same model.
+void require_same_model(const mjData* of_model, const mjData* d);
 
 /// Description of a model that carries box sites `left_sole` and `right_sole` and a keyframe `stand`.
 ///

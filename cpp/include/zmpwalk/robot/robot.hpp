@@ -21,10 +21,10 @@ std::string object_name(const mjModel* m, mjtObj type, int id);
 
 /// Hip pitch, knee and ankle pitch axes of a leg at the start pose, seen from the side (x forward, z up).
 struct RobotLeg {
-  double thigh = 0.0;                   ///< hip to knee [m]
-  double shank = 0.0;                   ///< knee to ankle [m]
-  Vec2 hip_to_ankle = Vec2::Zero();     ///< [m]
-  int knee = 0;                         ///< joint index
+  double thigh = 0.0;                ///< hip to knee [m]
+  double shank = 0.0;                ///< knee to ankle [m]
+  Vec2 hip_to_ankle = Vec2::Zero();  ///< [m]
+  int knee = 0;                      ///< joint index
 };
 
 /// One robot inside a MuJoCo model: mjModel and mjData on one side, `Dynamics` on the other.
@@ -45,6 +45,8 @@ class Robot {
   Eigen::Map<const VecX> qpos() const { return {data_->qpos + qpos0_, nv_ + 1}; }
   Eigen::Map<const VecX> qvel() const { return {data_->qvel + dof0_, nv_}; }
 
+  /// @throws InputError where `d` was made for a model of another size. Allocates nothing otherwise.
+  void require_data(const mjData* d) const;
   /// True where every position and velocity of the robot in `d` is finite.
   bool is_finite(const mjData* d) const;
 
@@ -88,10 +90,10 @@ class Robot {
  private:
   struct SoleFrame {
     int body;
-    Vec3 p_BF;                   // in the foot body
+    Vec3 p_BF;  // in the foot body
     Mat3 R_BF;
-    std::vector<int> chain;      // bodies from the root to the foot
-    std::vector<int> dofs;       // robot's dof indices that move it
+    std::vector<int> chain;  // bodies from the root to the foot
+    std::vector<int> dofs;   // robot's dof indices that move it
   };
   void read_sole(const SoleFrame& frame, SoleState& out) const;
 

@@ -14,11 +14,11 @@ struct ZmpBounds {
 
 /// Sole and ankle of one foot, as far as the ZMP cares.
 struct SoleLimits {
-  double length = 0.0;                ///< of the sole [m]
-  double width = 0.0;                 ///< of the sole [m]
-  Vec2 ankle = Vec2::Zero();          ///< ankle axes in the sole frame (x of the pitch axis, y of the roll axis) [m]
-  double pitch_torque = 0.0;          ///< limit of the ankle's pitch joint [N m]; infinity for none
-  double roll_torque = 0.0;           ///< limit of the ankle's roll joint [N m]; infinity for none
+  double length = 0.0;        ///< of the sole [m]
+  double width = 0.0;         ///< of the sole [m]
+  Vec2 ankle = Vec2::Zero();  ///< ankle axes in the sole frame (x of the pitch axis, y of the roll axis) [m]
+  double pitch_torque = 0.0;  ///< limit of the ankle's pitch joint [N m]; infinity for none
+  double roll_torque = 0.0;   ///< limit of the ankle's roll joint [N m]; infinity for none
 };
 
 /// Designed bounds: the sole shrunk to `sole_fraction`, cut with what the ankle can hold, p_ankle +- `torque_fraction` tau_max / (m g).

@@ -24,8 +24,9 @@ Wrench total_wrench(const Vec12& f_c, const std::array<Vec3, 2>& c, const Vec3& 
 
 struct ZmpEstimate {
   Vec2 zmp = Vec2::Constant(kNaN);  ///< in W, on the horizontal plane through the support sole's centre [m]
-  Vec12 f_c = Vec12::Constant(kNaN);///< robot on ground, left then right, at the sole centres; NaN where a foot is not in contact
-  bool in_contact = false;          ///< |F_z| >= kMinNormalForce
+  Vec12 f_c = Vec12::Constant(
+      kNaN);  ///< robot on ground, left then right, at the sole centres; NaN where a foot is not in contact
+  bool in_contact = false;  ///< |F_z| >= kMinNormalForce
 };
 
 /// Eq. 9-15: the ZMP that a torque will produce, before it is sent. One or two standing feet.
@@ -43,7 +44,8 @@ class ZmpEstimator {
   /// @param support   the foot whose sole plane carries the ZMP
   /// @throws DimensionError, InputError (no foot stands). Allocates nothing.
   void update(const ConstMatRef& A, const ConstVecRef& b, const ConstVecRef& g, const ConstMatRef& J_c,
-              const ConstVecRef& drift_c, const std::array<bool, 2>& standing, const std::array<Vec3, 2>& c, Side support);
+              const ConstVecRef& drift_c, const std::array<bool, 2>& standing, const std::array<Vec3, 2>& c,
+              Side support);
 
   /// @param tau joint torque (joints,) [N m]. @throws DimensionError. Allocates nothing.
   ZmpEstimate estimate(const ConstVecRef& tau) const;

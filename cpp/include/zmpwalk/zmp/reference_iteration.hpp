@@ -6,10 +6,10 @@ namespace zmpwalk {
 
 /// What III-B ends with.
 struct ReferenceResult {
-  Vec2 zmp_ref = Vec2::Zero();   ///< reference of the pendulum (16)
-  Vec2 zmp_est = Vec2::Zero();   ///< estimate it leads to
-  int passes = 0;                ///< estimates computed
-  bool converged = false;        ///< |zmp_des - zmp_est| < threshold on every axis asked for
+  Vec2 zmp_ref = Vec2::Zero();  ///< reference of the pendulum (16)
+  Vec2 zmp_est = Vec2::Zero();  ///< estimate it leads to
+  int passes = 0;               ///< estimates computed
+  bool converged = false;       ///< |zmp_des - zmp_est| < threshold on every axis asked for
 };
 
 /// The loop of III-B: r_ref <- r_ref + r_des - r_est(r_ref) until they agree (Fig. 2).

@@ -1,0 +1,187 @@
+#include <cmath>
+
+#include "testing.hpp"
+#include "zmpwalk/gait/footsteps.hpp"
+#include "zmpwalk/math/error.hpp"
+
+using namespace zmpwalk;
+using namespace zmpwalk::testing;
+
+namespace {
+
+const RobotScale kRobot{0.747, 9.81, 0.001, 0.22};
+constexpr double kPeriod = 0.8, kTc = 0.276, kDt = 1e-3;
+const std::array<Foothold, 2> kStart{Foothold{Vec2(0, 0.11), 0.0}, Foothold{Vec2(0, -0.11), 0.0}};
+
+WalkSettings settings(Footsteps kind, std::vector<double> lengths = {}) {
+  WalkSettings s;
+  s.footsteps = kind;
+  s.step_lengths = std::move(lengths);
+  return resolve(s, kRobot);
+}
+
+FootstepPlanner planner(const WalkSettings& s, const VelocityProfile& profile) {
+  FootstepPlanner out(s, profile);
+  out.reset(kStart, 0.0);
+  return out;
+}
+
+const VelocityProfile paper = VelocityProfile::paper();
+const VelocityProfile steady({0.0}, {Vec3(0.25, 0, 0)});
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(list_of_steps_repeats_its_last_length) {
+  const FootstepPlanner corrected = planner(settings(Footsteps::kPaper), paper),
+                        printed = planner(settings(Footsteps::kPrinted), paper);
+  const std::vector<double> lengths{0.1, 0.15, 0.2};
+  for (int n = 0; n < 3; ++n) {
+    BOOST_CHECK_EQUAL(corrected.lead(n, 0.0, kPeriod), lengths[n]);
+    BOOST_CHECK_EQUAL(printed.lead(n, 0.0, kPeriod), lengths[n]);
+  }
+  BOOST_CHECK_EQUAL(corrected.lead(50, 0.0, kPeriod), 0.2);
+  BOOST_CHECK_EQUAL(printed.lead(50, 0.0, kPeriod), 0.25);
+}
+
+BOOST_AUTO_TEST_CASE(without_a_list_a_step_is_as_long_as_the_plan_of_its_period) {
+  CHECK_NEAR(planner(settings(Footsteps::kTied), paper).lead(7, 1.2, kPeriod), paper.displacement(1.2, 2.0).x(), 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(corrected_lengths_advance_at_the_planned_speed_and_printed_ones_do_not) {
+  CHECK_NEAR(planner(settings(Footsteps::kPaper), paper).mismatch(10, kPeriod), 0.0,
+             0.6e-3);  // the plan is rounded to mm/s
+  CHECK_NEAR(planner(settings(Footsteps::kPrinted), paper).mismatch(10, kPeriod), 0.0625, 1e-12);
+  CHECK_NEAR(planner(settings(Footsteps::kList, {0.2}), steady).mismatch(10, kPeriod), -0.125,
+             1e-12);  // the first step starts from rest
+  BOOST_CHECK_EQUAL(planner(settings(Footsteps::kTied), paper).mismatch(10, kPeriod), 0.0);
+  BOOST_CHECK_EQUAL(planner(settings(Footsteps::kAbsolute), paper).mismatch(10, kPeriod), 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(a_listed_step_leads_the_measured_stance_foot_at_the_step_width) {
+  FootstepPlanner feet = planner(settings(Footsteps::kPaper), paper);
+  const Foothold to = feet.begin_step(1, kLeft, {Vec2(0.3, -0.1), 0.02}, 1.0, kPeriod);
+  CHECK_NEAR(to.p, Vec2(0.3 + 0.15, -0.1 + 0.22), 1e-15);
+  BOOST_CHECK_EQUAL(to.yaw, 0.0);  // the heading of the start
+  CHECK_NEAR(feet.begin_step(2, kRight, {Vec2(0.45, 0.12), 0.0}, 1.8, kPeriod).p, Vec2(0.65, -0.1), 1e-15);
+}
+
+BOOST_AUTO_TEST_CASE(footholds_turn_with_the_heading) {
+  FootstepPlanner feet(settings(Footsteps::kPaper), paper);
+  feet.reset({Foothold{Vec2(-0.11, 0), M_PI_2}, Foothold{Vec2(0.11, 0), M_PI_2}}, M_PI_2);
+  const Foothold to = feet.begin_step(0, kRight, {Vec2(-0.11, 0), M_PI_2}, 1.0, kPeriod);
+  CHECK_NEAR(to.p, Vec2(-0.11 + 0.22, 0.1), 1e-15);
+  BOOST_CHECK_EQUAL(to.yaw, M_PI_2);
+}
+
+BOOST_AUTO_TEST_CASE(absolute_footholds_ignore_where_the_feet_came_to_stand) {
+  for (const WalkSettings& s : {settings(Footsteps::kAbsolute), settings(Footsteps::kAbsolute, {0.1, 0.15, 0.2})}) {
+    FootstepPlanner straight = planner(s, paper), slipped = planner(s, paper);
+    Side swing = kRight;
+    for (int n = 0; n < 10; ++n, swing = other(swing)) {
+      const Foothold a = straight.begin_step(n, swing, kStart[other(swing)], 0.9 + n * kPeriod, kPeriod);
+      const Foothold b = slipped.begin_step(n, swing, {Vec2(0.01 * n, 0.3), 0.1}, 0.9 + n * kPeriod, kPeriod);
+      CHECK_NEAR(a.p, b.p, 0.0);
+      CHECK_NEAR(a.p.y(), 0.11 * side_sign(swing), 1e-12);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(absolute_footholds_put_the_planned_com_between_the_feet_in_mid_double_support) {
+  FootstepPlanner feet = planner(settings(Footsteps::kAbsolute), steady);
+  Vec2 before = kStart[kLeft].p;
+  Side swing = kRight;
+  for (int n = 0; n < 10; ++n, swing = other(swing)) {
+    const double t_mid = 0.9 + n * kPeriod;
+    const Vec2 now = feet.begin_step(n, swing, kStart[other(swing)], t_mid, kPeriod).p;
+    if (n > 0) CHECK_NEAR(0.5 * (before + now).x(), steady.displacement(0, t_mid).x(), 1e-12);
+    before = now;
+  }
+}
+
+BOOST_AUTO_TEST_CASE(tied_foothold_goes_where_the_com_will_be_half_a_step_behind_less_its_lead) {
+  const WalkSettings s = settings(Footsteps::kTied);
+  FootstepPlanner feet = planner(s, steady);
+  feet.begin_step(3, kRight, {Vec2(0.5, 0.11), 0.0}, 5.0, kPeriod);
+  // By hand: COM at 0.55 m, 0.02 m/s too fast, 0.4 s before the middle of the next double support.
+  const double wanted = 0.55 + 0.25 * 0.4 + kTc * 0.02 + 0.5 * 0.2 - s.com_lead;
+  Foothold to;
+  for (int k = 0; k < 2000; ++k) to = feet.update(Vec2(0.55, 0), Vec2(0.27, 0.1), 4.6, 5.0, kPeriod, kTc, 0.3, kDt);
+  BOOST_REQUIRE_LT(std::abs(wanted - 0.7), s.foothold_reach);
+  CHECK_NEAR(to.p, Vec2(wanted, -0.11), 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(tied_foothold_is_low_passed_clamped_and_frozen) {
+  const WalkSettings s = settings(Footsteps::kTied);
+  FootstepPlanner feet = planner(s, steady);
+  const Foothold nominal = feet.begin_step(3, kRight, {Vec2(0.5, 0.11), 0.0}, 5.0, kPeriod);
+  const auto update = [&](double share) {
+    return feet.update(Vec2(2.0, 0), Vec2(0.25, 0), 4.6, 5.0, kPeriod, kTc, share, kDt).p;
+  };
+  CHECK_NEAR(update(0.1).x() - nominal.p.x(), s.foothold_reach * (1 - std::exp(-kDt / s.foothold_time)), 1e-12);
+  for (int k = 0; k < 2000; ++k) update(0.1);
+  CHECK_NEAR(update(0.1).x() - nominal.p.x(), s.foothold_reach, 1e-9);
+  feet.begin_step(4, kLeft, {Vec2(0.7, -0.11), 0.0}, 5.8, kPeriod);
+  const Vec2 frozen = feet.target().p;
+  CHECK_NEAR(update(0.71), frozen, 0.0);
+  BOOST_CHECK_GE(gap(update(0.7), frozen), 1e-4);
+}
+
+BOOST_AUTO_TEST_CASE(listed_and_absolute_footholds_do_not_follow_the_com) {
+  for (const Footsteps kind : {Footsteps::kPaper, Footsteps::kPrinted, Footsteps::kAbsolute}) {
+    FootstepPlanner feet = planner(settings(kind), paper);
+    const Foothold nominal = feet.begin_step(0, kRight, kStart[kLeft], 0.9, kPeriod);
+    CHECK_NEAR(feet.update(Vec2(2, 0), Vec2(1, 0), 0.5, 0.9, kPeriod, kTc, 0.2, kDt).p, nominal.p, 0.0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(settings_come_from_the_robot_where_they_are_not_set) {
+  const WalkSettings s = settings(Footsteps::kTied);
+  CHECK_NEAR(s.T_ss + s.T_ds, 0.8, 1e-12);
+  CHECK_NEAR(s.T_ds, 0.16, 1e-12);
+  CHECK_NEAR(s.T_ds_first, 0.1806, 1e-3);
+  BOOST_CHECK_EQUAL(s.control_dt, 0.001);
+  BOOST_CHECK_EQUAL(s.step_width, 0.22);
+  visit_settings(s, [](const char* name, const auto& value, const char*, const char* meaning) {
+    BOOST_CHECK_MESSAGE(std::string(meaning).size() > 10, name);
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>)
+      BOOST_CHECK_MESSAGE(std::isfinite(value), name);
+  });
+  // A robot four times as tall walks half as fast in time: periods double, k_p goes with 1/4, k_d with 1/2.
+  const WalkSettings tall = resolve(WalkSettings(), {4 * 0.747, 9.81, 0.001, 0.9});
+  CHECK_NEAR(tall.T_ss, 2 * s.T_ss, 1e-12);
+  CHECK_NEAR(tall.com_x_kp, s.com_x_kp / 4, 1e-9);
+  CHECK_NEAR(tall.swing_kd, s.swing_kd / 2, 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(step_height_is_what_the_knee_can_lift_against_its_rotor_and_damping) {
+  CHECK_NEAR(settings(Footsteps::kTied).step_height, 0.0535 * 0.747, 1e-12);
+  // A lift h takes 10 rad/m * (0.1 kg m^2 * 6 h / (0.32 s)^2 + 0.5 N m s * 1.5 h / 0.32 s) of the knee.
+  RobotScale heavy = kRobot;
+  heavy.knee_per_lift = 10.0;
+  heavy.knee_armature = 0.1;
+  heavy.knee_damping = 0.5;
+  heavy.knee_torque = 2.0;
+  const double torque_per_lift = 10.0 * (0.1 * 6.0 / (0.32 * 0.32) + 0.5 * 1.5 / 0.32),
+               lift = resolve(WalkSettings(), heavy).step_height;
+  BOOST_CHECK_LT(lift, 0.0535 * 0.747);
+  BOOST_CHECK_LE(lift * torque_per_lift, 0.8 * heavy.knee_torque);  // leaves the knee torque to swing the leg with
+  heavy.knee_torque = 4.0;
+  CHECK_NEAR(resolve(WalkSettings(), heavy).step_height, 2 * lift, 1e-12);
+}
+
+BOOST_AUTO_TEST_CASE(choices_have_names_and_unknown_names_are_refused_with_those_that_exist) {
+  for (const std::string name : {"tied", "absolute", "paper", "printed", "list"}) {
+    Footsteps value{};
+    from_string(name, value);
+    BOOST_CHECK_EQUAL(to_string(value), name);
+  }
+  TrackerLaw tracker{};
+  from_string("bang_bang", tracker);
+  BOOST_CHECK(tracker == TrackerLaw::kBangBang);
+  Footsteps value{};
+  CHECK_THROWS(from_string("tide", value), InputError,
+               "footsteps = 'tide' is unknown; there are: tied, absolute, paper, printed, list");
+  Iteration iteration{};
+  CHECK_THROWS(from_string("", iteration), InputError, "there are: closed_form, loop");
+  CHECK_THROWS(WalkSettings("papyrus"), InputError, "law = 'papyrus' is unknown; there are: default, paper");
+}

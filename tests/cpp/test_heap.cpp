@@ -1,0 +1,141 @@
+#include <cstddef>
+#include <new>
+
+#include "robots.hpp"
+#include "zmpwalk/simulation.hpp"
+#include "zmpwalk/walking_controller.hpp"
+
+// The control cycle does not touch the heap: Eigen's own watch aborts with a line number, and every malloc of this program,
+// MuJoCo's and the standard library's too, is counted while a cycle runs.
+
+namespace {
+
+thread_local bool watching = false;
+thread_local long allocations = 0;
+
+}  // namespace
+
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
+#define ZMPWALK_COUNTS_MALLOC 1
+extern "C" {
+void* __libc_malloc(std::size_t size);
+void* __libc_calloc(std::size_t count, std::size_t size);
+void* __libc_realloc(void* old, std::size_t size);
+void* __libc_memalign(std::size_t alignment, std::size_t size);
+
+__attribute__((visibility("default"))) void* malloc(std::size_t size) noexcept {
+  allocations += watching;
+  return __libc_malloc(size);
+}
+__attribute__((visibility("default"))) void* calloc(std::size_t count, std::size_t size) noexcept {
+  allocations += watching;
+  return __libc_calloc(count, size);
+}
+__attribute__((visibility("default"))) void* realloc(void* old, std::size_t size) noexcept {
+  allocations += watching;
+  return __libc_realloc(old, size);
+}
+__attribute__((visibility("default"))) void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
+  allocations += watching;
+  return __libc_memalign(alignment, size);
+}
+}
+#else
+#define ZMPWALK_COUNTS_MALLOC 0
+#endif
+
+using namespace zmpwalk;
+using namespace zmpwalk::testing;
+
+namespace {
+
+/// Allocations while `body` runs.
+template <class Body>
+long allocated(Body&& body) {
+  allocations = 0;
+  Eigen::internal::set_is_malloc_allowed(false);
+  watching = true;
+  body();
+  watching = false;
+  Eigen::internal::set_is_malloc_allowed(true);
+  return allocations;
+}
+
+/// What a walk went through, and how often its cycles and its recording allocated.
+struct Seen {
+  long cycles = 0, recording = 0;
+  bool single = false, both = false, left = false, right = false, modified = false, saturated = false;
+  int steps = 0;
+};
+
+Seen walk(double duration, const WalkSettings& s, const mjModel* m = mahru()) {
+  WalkingController controller(m, describe(mahru()), s);
+  Recorder recorder(controller, duration);
+  const MjDataPtr d = make_data(m);
+  controller.robot().description().place(m, d.get());
+  controller.reset(d.get());
+  Seen seen;
+  while (d->time < duration) {
+    const CycleOutput* out = nullptr;
+    seen.cycles += allocated([&] { out = &controller.update(d.get()); });
+    mj_step(m, d.get());
+    seen.recording += allocated([&] { recorder.add(*out, d.get()); });
+    (out->phase ? seen.single : seen.both) = true;
+    (out->support > 0 ? seen.left : seen.right) = true;
+    seen.modified |= out->iterations > 0;
+    seen.saturated |= out->saturated;
+    seen.steps = out->step;
+  }
+  return seen;
+}
+
+void stays_off_the_heap(const Seen& seen) {
+  BOOST_CHECK_EQUAL(seen.cycles, 0);
+  BOOST_CHECK_EQUAL(seen.recording, 0);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_watch_sees_allocations_of_every_kind) {
+#if ZMPWALK_COUNTS_MALLOC
+  void* volatile memory = nullptr;  // volatile, or the compiler does without the allocation
+  BOOST_CHECK_GE(allocated([&] { memory = ::operator new(100); }), 1);
+  ::operator delete(memory);
+  BOOST_CHECK_GE(allocated([] { mj_deleteData(mj_makeData(mahru())); }), 1);  // in another library
+#endif
+  BOOST_CHECK_EQUAL(allocated([] {}), 0);
+}
+
+BOOST_AUTO_TEST_CASE(cycle_of_the_default_law_allocates_nothing) {
+  const Seen seen = walk(3.0, WalkSettings());
+  stays_off_the_heap(seen);
+  BOOST_CHECK(seen.single && seen.both && seen.left && seen.right && seen.modified);
+  BOOST_CHECK_GE(seen.steps, 3);
+}
+
+BOOST_AUTO_TEST_CASE(cycle_of_the_paper_law_allocates_nothing) {
+  const Seen seen = walk(3.0, WalkSettings("paper"));
+  stays_off_the_heap(seen);
+  BOOST_CHECK(seen.single && seen.both && seen.left && seen.right && seen.modified);
+}
+
+BOOST_AUTO_TEST_CASE(cycle_with_absolute_footholds_and_held_torque_allocates_nothing) {
+  WalkSettings s;
+  s.footsteps = Footsteps::kAbsolute;
+  s.control_dt = 0.004;
+  stays_off_the_heap(walk(2.0, s));
+}
+
+BOOST_AUTO_TEST_CASE(cycle_that_cuts_a_torque_allocates_nothing) {
+  // Knees that cannot quite hold the body: the estimate is then that of the cut torque.
+  const ModelPtr weak =
+      load_text(replaced(mahru_text(), "<motor ctrlrange=\"-160 160\"/>", "<motor ctrlrange=\"-40 40\"/>"));
+  const Seen seen = walk(0.4, WalkSettings(), weak.get());
+  stays_off_the_heap(seen);
+  BOOST_CHECK(seen.saturated && seen.single && seen.both);
+}
+
+BOOST_AUTO_TEST_CASE(cycle_in_a_scene_allocates_nothing) {
+  const ModelPtr scene = mahru_in_a_scene();
+  stays_off_the_heap(walk(1.0, WalkSettings(), scene.get()));
+}

@@ -1,0 +1,101 @@
+#include "robots.hpp"
+#include "zmpwalk/math/error.hpp"
+#include "zmpwalk/walking_controller.hpp"
+
+using namespace zmpwalk;
+using namespace zmpwalk::testing;
+
+namespace {
+
+/// A controller with one setting changed is refused, and the message says `text`.
+template <class Change>
+void refused(Change&& change, const std::string& text) {
+  WalkSettings s;
+  change(s);
+  CHECK_THROWS(WalkingController(mahru(), describe(mahru()), s), InputError, text);
+}
+
+void refused_profile(const VelocityProfile& profile, const std::string& text) {
+  CHECK_THROWS(WalkingController(mahru(), describe(mahru()), WalkSettings(), profile), InputError, text);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(settings_that_break_a_rule_are_refused_with_name_value_and_rule) {
+  refused([](auto& s) { s.control_dt = 0.0015; },
+          "control_dt = 0.001500 s; it must be a multiple of the model's time step, 0.001000 s");
+  refused([](auto& s) { s.control_dt = -0.001; }, "control_dt = -0.001");
+  refused([](auto& s) { s.T_ds = 0.0; }, "T_ds = 0.000000");
+  refused([](auto& s) { s.T_ss = -1.0; }, "T_ss = -1.0");
+  refused([](auto& s) { s.first_swing = "both"; }, "first_swing = 'both' is unknown; there are: right, left");
+  refused([](auto& s) { s.com_x_kp = -1.0; }, "com_x_kp = -1.000000; it must be finite and not negative");
+  refused([](auto& s) { s.swing_kd = INFINITY; }, "swing_kd = inf");
+  refused([](auto& s) { s.zmp_threshold = 0.0; }, "zmp_threshold = 0.000000");
+  refused([](auto& s) { s.max_iterations = 0; }, "max_iterations = 0; it must be at least 1");
+  refused([](auto& s) { s.sole_fraction = 0.0; }, "sole_fraction = 0.000000");
+  refused([](auto& s) { s.footsteps = Footsteps::kList; }, "needs step_lengths");
+  refused([](auto& s) { s.footsteps = Footsteps::kList, s.step_lengths = {0.1, kNaN}; }, "step_lengths = nan");
+  refused([](auto& s) { s.friction_velocity = 0.0; }, "friction_velocity = 0.000000");
+  refused([](auto& s) { s.lateral_reach = kNaN; }, "lateral_reach = nan");
+}
+
+BOOST_AUTO_TEST_CASE(a_profile_that_the_legs_cannot_walk_is_refused_with_their_limit) {
+  const WalkingController controller(mahru(), describe(mahru()));
+  const double limit = controller.speed_limit();
+  BOOST_CHECK_GT(limit, 0.25);
+  BOOST_CHECK_LT(limit, 1.0);
+  refused_profile(VelocityProfile({0.0, 5.0}, {Vec3(0.1, 0, 0), Vec3(1.01 * limit, 0, 0)}),
+                  "this robot's legs reach 0 to " + std::to_string(limit));
+  refused_profile(VelocityProfile({0.0}, {Vec3(-0.1, 0, 0)}), "v_x = -0.100000");
+  refused_profile(VelocityProfile({0.0}, {Vec3(0.1, 0.1, 0)}),
+                  "v_y = 0.100000 m/s, w_z = 0.000000 rad/s; this version walks straight ahead");
+  refused_profile(VelocityProfile({0.0}, {Vec3(0.1, 0, 0.1)}), "w_z = 0.100000");
+  refused_profile(VelocityProfile({0.0}, {Vec3(0.99 * limit, 0, 0)}), "the profile starts too fast");
+}
+
+BOOST_AUTO_TEST_CASE(slower_steps_reach_less_speed) {
+  WalkSettings slow;
+  slow.T_ss = 1.28;
+  slow.T_ds = 0.32;
+  const VelocityProfile stand({0.0}, {Vec3::Zero()});
+  const double limit = WalkingController(mahru(), describe(mahru()), WalkSettings(), stand).speed_limit();
+  const double T = WalkingController(mahru(), describe(mahru())).settings().T_ss / 0.8;
+  CHECK_NEAR(WalkingController(mahru(), describe(mahru()), slow, stand).speed_limit(), limit * T / 1.6, 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(printed_footsteps_are_reported_as_a_mismatch_before_they_are_walked) {
+  WalkSettings printed("paper");
+  printed.footsteps = Footsteps::kPrinted;
+  CHECK_NEAR(WalkingController(mahru(), describe(mahru()), printed).plan_mismatch(8.0), 0.0625, 1e-9);
+  CHECK_NEAR(WalkingController(mahru(), describe(mahru()), WalkSettings("paper")).plan_mismatch(8.0), 0.0, 1e-3);
+  BOOST_CHECK_EQUAL(WalkingController(mahru(), describe(mahru())).plan_mismatch(8.0), 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(controller_takes_scale_and_bounds_from_the_robot) {
+  const WalkingController controller(mahru(), describe(mahru()));
+  const WalkSettings& s = controller.settings();
+  CHECK_NEAR(s.T_ss + s.T_ds, 0.8, 0.02);
+  CHECK_NEAR(controller.Tc(), std::sqrt(controller.com_height() / 9.81), 1e-12);
+  BOOST_CHECK_EQUAL(s.control_dt, mahru()->opt.timestep);
+  CHECK_NEAR(s.step_width, 0.22, 1e-9);
+  for (const Side side : kSides) {
+    CHECK_NEAR(controller.bounds(side).upper.x(), 0.5 * s.sole_fraction * 0.25,
+               1e-12);  // strong ankles: the sole decides
+    CHECK_NEAR(controller.bounds(side).lower.y(), -0.5 * s.sole_fraction * 0.14, 1e-12);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(weak_ankles_narrow_the_bounds_and_weaker_ones_leave_no_room) {
+  const auto with_ankle = [](double limit) {
+    const std::string range = std::to_string(limit);
+    return load_text(
+        replaced(mahru_text(), "<motor class=\"ankle_pitch\" name=\"l_ankle_pitch\"",
+                 "<motor class=\"ankle_pitch\" ctrlrange=\"-" + range + " " + range + "\" name=\"l_ankle_pitch\""));
+  };
+  const ModelPtr weak = with_ankle(40.0);
+  const WalkingController controller(weak.get(), describe(weak.get()));
+  const double weight = controller.robot().dynamics().mass * 9.81;
+  CHECK_NEAR(controller.bounds(kLeft).upper.x(), controller.robot().ankle_in_sole(kLeft).x() + 0.9 * 40.0 / weight,
+             1e-9);
+  BOOST_CHECK_LT(controller.bounds(kLeft).upper.x(), controller.bounds(kRight).upper.x());
+}

@@ -1,0 +1,129 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "walk.hpp"
+
+using namespace zmpwalk;
+using namespace zmpwalk::testing;
+
+namespace {
+
+/// Sorted |values|, at share `p`.
+double percentile(const VecX& values, double p) {
+  std::vector<double> sorted;
+  for (const double v : values)
+    if (!std::isnan(v)) sorted.push_back(std::abs(v));
+  std::sort(sorted.begin(), sorted.end());
+  return sorted.at(static_cast<std::size_t>(p * (sorted.size() - 1)));
+}
+
+const Walk& default_walk() {
+  static const Walk walk(10.0);
+  return walk;
+}
+
+const Walk& paper_walk() {
+  static const Walk walk(10.0, WalkSettings("paper"));
+  return walk;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(default_law_stands_for_ten_seconds_without_torque_or_joint_limits) {
+  const Walk& walk = default_walk();
+  BOOST_REQUIRE_MESSAGE(walk.result.fell == Fall::kNone,
+                        to_string(walk.result.fell) + " at " + std::to_string(walk.result.fall_time));
+  BOOST_CHECK_EQUAL(walk.rows(), 10000);
+  BOOST_CHECK_EQUAL(walk.result.cycle_us.size(), 10000U);
+  CHECK_NEAR(walk.column("saturated"), RowMatX::Zero(walk.rows(), 1), 0.0);
+  CHECK_NEAR(walk.column("damped"), RowMatX::Zero(walk.rows(), 1), 0.0);
+  CHECK_NEAR(walk.column("self_contacts"), RowMatX::Zero(walk.rows(), 1), 0.0);
+  BOOST_CHECK_LT(walk.column("torque_ratio").maxCoeff(), 1.0);
+  BOOST_CHECK_GT(walk.column("joint_margin").minCoeff(), 0.05);
+  BOOST_CHECK_EQUAL(walk.column("step")(walk.rows() - 1, 0), 12);
+}
+
+BOOST_AUTO_TEST_CASE(com_advances_by_the_plan_in_every_period) {
+  const Walk& walk = default_walk();
+  for (int k = 0; k < 12; ++k) {
+    const double plan = walk.controller.profile().displacement(0.8 * k, 0.8 * (k + 1)).x();
+    CHECK_NEAR(walk.com_x(0.8 * (k + 1)) - walk.com_x(0.8 * k), plan, 0.002 * plan);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(estimated_zmp_is_the_measured_one) {
+  const Walk& walk = default_walk();
+  const RowMatX error = walk.column("zmp_est") - walk.column("zmp_meas");
+  const VecX single = walk.column("phase");
+  for (int i = 0; i < 2; ++i) {
+    BOOST_CHECK_LE(percentile(error.col(i), 0.5), 1e-5);
+    BOOST_CHECK_LE(percentile((single.array() > 0).select(error.col(i), kNaN), 0.95), 5e-5);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(expected_contact_wrench_is_the_measured_one_in_single_support) {
+  const Walk& walk = default_walk();
+  const VecX single = walk.column("phase"), support = walk.column("support");
+  const RowMatX error = walk.column("f_c") - walk.column("contact_wrench");
+  for (const Side side : kSides)
+    for (int i = 0; i < 6; ++i) {
+      const VecX column = error.col(6 * side + i);
+      BOOST_CHECK_LE(percentile((single.array() * support.array() * side_sign(side) > 0).select(column, kNaN), 0.5),
+                     0.05);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(estimate_stays_inside_its_bounds_to_the_threshold_in_single_support) {
+  const Walk& walk = default_walk();
+  const auto est = walk.column("zmp_est"), lower = walk.column("zmp_lower"), upper = walk.column("zmp_upper");
+  const VecX single = walk.column("phase");
+  for (int i = 0; i < 2; ++i) {
+    const VecX beyond = (lower.col(i) - est.col(i)).cwiseMax(est.col(i) - upper.col(i));
+    BOOST_CHECK_LE((single.array() > 0).select(beyond, -1.0).maxCoeff(), walk.controller.settings().zmp_threshold);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(com_height_and_trunk_keep_still) {
+  const VecX z = default_walk().column("com").col(2);
+  BOOST_CHECK_LE(z.maxCoeff() - z.minCoeff(), 2e-3);
+}
+
+BOOST_AUTO_TEST_CASE(paper_law_walks_its_experiment) {
+  const Walk& walk = paper_walk();
+  BOOST_REQUIRE_MESSAGE(walk.result.fell == Fall::kNone,
+                        to_string(walk.result.fell) + " at " + std::to_string(walk.result.fall_time));
+  for (int k = 0; k < 12; ++k) {
+    const double plan = walk.controller.profile().displacement(0.8 * k, 0.8 * (k + 1)).x();
+    CHECK_NEAR(walk.com_x(0.8 * (k + 1)) - walk.com_x(0.8 * k), plan, 0.01 * plan);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(estimate_is_the_desired_zmp_wherever_the_reference_was_found) {
+  const RowMatX exact = default_walk().column("zmp_est") - default_walk().column("zmp_des");
+  CHECK_NEAR(exact, RowMatX::Zero(10000, 2), 1e-9);  // closed form
+  BOOST_CHECK_GT(default_walk().column("zmp_modified").cwiseAbs().sum(), 500.0);
+  const RowMatX loop = paper_walk().column("zmp_est") - paper_walk().column("zmp_des");
+  CHECK_NEAR(loop, RowMatX::Zero(10000, 2), paper_walk().controller.settings().zmp_threshold);
+}
+
+BOOST_AUTO_TEST_CASE(loop_of_a_walk_takes_as_many_passes_as_its_slope_says) {
+  const Walk& walk = paper_walk();
+  const auto passes = walk.column("iterations"), des = walk.column("zmp_des"), first = walk.column("zmp_first"),
+             slope = walk.column("zmp_slope");
+  BOOST_CHECK_GT(passes.maxCoeff(), 20.0);  // k_d dt = 0.04: each pass takes a few per cent of the error
+  for (long k = 0; k < walk.rows(); ++k) {
+    if (passes(k, 0) == 0.0) continue;
+    const double e_0 = std::abs(des(k, 0) - first(k, 0)), rate = std::log(std::abs(1.0 - slope(k, 0)));
+    const double expected =
+        1.0 + std::max(0.0, std::ceil(std::log(walk.controller.settings().zmp_threshold / e_0) / rate));
+    BOOST_REQUIRE_LE(std::abs(passes(k, 0) - expected), 1.0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(textbook_equations_walk_the_same_walk) {
+  const Walk direct(1.2), textbook(1.2, with([](WalkSettings& s) { s.textbook = true; }));
+  CHECK_NEAR(direct.column("com"), textbook.column("com"), 1e-6);
+  CHECK_NEAR(direct.column("zmp_est"), textbook.column("zmp_est"), 1e-4);
+}
