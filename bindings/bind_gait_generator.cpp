@@ -63,7 +63,7 @@ void bind_gait_generator(py::module_& m) {
                      "Phases, support switch, footholds and swing foot, from time and the COM alone.")
       .def(py::init<double, double, double, double, double, const VelocityProfile&, const WalkSettings&>(),
            py::kw_only(), "com_height"_a, "gravity"_a = 9.81, "timestep"_a = 0.001, "foot_distance"_a, "sole_width"_a,
-           "profile"_a, "settings"_a = WalkSettings(),
+           "profile"_a, py::arg_v("settings", WalkSettings(), "WalkSettings()"),
            "Args:\n    com_height: z_c [m].\n    gravity: [m/s^2].\n    timestep: control period [s].\n    "
            "foot_distance, sole_width: [m].\n"
            "    profile: VelocityProfile.\n    settings: WalkSettings.\n\nRaises:\n    InputError.")

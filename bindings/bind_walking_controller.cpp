@@ -61,7 +61,7 @@ void bind_walking_controller(py::module_& m) {
                        const VelocityProfile& profile) {
              return std::make_unique<WalkingController>(model_of(model), description, settings, profile);
            }),
-           "model"_a, "description"_a, "settings"_a = WalkSettings(), "profile"_a = VelocityProfile::paper(),
+           "model"_a, "description"_a, py::arg_v("settings", WalkSettings(), "WalkSettings()"), py::arg_v("profile", VelocityProfile::paper(), "VelocityProfile.paper()"),
            py::keep_alive<1, 2>(),
            "Args:\n    model: mujoco.MjModel; kept alive.\n    description: RobotDescription.\n    settings: "
            "WalkSettings.\n"
