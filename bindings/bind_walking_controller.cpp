@@ -74,10 +74,16 @@ void bind_walking_controller(py::module_& m) {
           "finite.")
       .def(
           "update",
-          [](WalkingController& c, const py::object& data) -> const CycleOutput& { return c.update(data_of(data)); },
-          "data"_a, py::return_value_policy::copy,
+          [](WalkingController& c, const py::object& data, bool after_step1) -> const CycleOutput& {
+            return c.update(data_of(data), after_step1 ? Terms::kInData : Terms::kCompute);
+          },
+          "data"_a, "after_step1"_a = false, py::return_value_policy::copy,
           "Computes the torque for the state in `data`, writes data.ctrl, returns a copy of what was decided.\n\n"
-          "Raises:\n    InputError: the state is not finite, or reset() was not called; nothing is changed.")
+          "Args:\n    data: mujoco.MjData.\n    after_step1: mj_step1 (or mj_forward) has just run for this state, so that "
+          "`data` holds kinematics,\n        inertia and bias forces already; the torque has the same bits, in half the "
+          "time.\n\n"
+          "Raises:\n    InputError: the state is not finite, its terms belong to another, or reset() was not called; "
+          "nothing is\n        changed.")
       .def_property_readonly(
           "settings", [](const WalkingController& c) { return c.settings(); },
           "WalkSettings in force, every NaN filled in")

@@ -148,6 +148,7 @@ RunResult Simulation::run(double duration, Recorder& recorder, const std::functi
   mjData* d = data_.get();
   controller_.reset(d);
   const double t_end = d->time + duration, dt = m->opt.timestep;
+  const bool in_two = m->opt.integrator != mjINT_RK4;  // MuJoCo cannot part a Runge-Kutta step
   RunResult result;
   result.cycle_us.reserve(
       static_cast<std::size_t>(std::min(duration, kReservedTime) / controller_.settings().control_dt) + 2);
@@ -159,11 +160,15 @@ RunResult Simulation::run(double duration, Recorder& recorder, const std::functi
       result.fell = Fall::kNonFinite;
       break;
     }
-    const auto before = std::chrono::steady_clock::now();
-    const CycleOutput& out = controller_.update(d);
-    if (out.fresh) result.cycle_us.push_back(1e6 * seconds_since(before));
     const double t = d->time;
-    mj_step(m, d);
+    if (in_two) mj_step1(m, d);
+    const auto before = std::chrono::steady_clock::now();
+    const CycleOutput& out = controller_.update(d, in_two ? Terms::kInData : Terms::kCompute);
+    if (out.fresh) result.cycle_us.push_back(1e6 * seconds_since(before));
+    if (in_two)
+      mj_step2(m, d);
+    else
+      mj_step(m, d);
     if (diverged(d)) d->time = t + dt;  // MuJoCo has reset itself, and with it the clock
     recorder.add(out, d);
     if (out.fresh) {

@@ -199,17 +199,22 @@ void WalkingController::reset(const mjData* data) {
   started_ = true;
 }
 
-const CycleOutput& WalkingController::update(mjData* data) {
+const CycleOutput& WalkingController::update(mjData* data, Terms terms) {
   if (!started_) throw InputError("update was called before reset(data)");
   robot_.require_data(data);
   if (!robot_.is_finite(data)) throw InputError("data holds a position or velocity that is not finite");
-  out_.fresh = tick_ % ticks_per_cycle_ == 0;
+  const bool fresh = tick_ % ticks_per_cycle_ == 0;
+  if (fresh && terms == Terms::kInData) robot_.require_computed(data);
+  out_.fresh = fresh;
   ++tick_;
   if (!out_.fresh) {
     robot_.write_torque(out_.tau, data);
     return out_;
   }
-  robot_.read(data);
+  if (terms == Terms::kInData)
+    robot_.read_computed(data);
+  else
+    robot_.read(data);
   const Dynamics& dyn = robot_.dynamics();
   const double t = data->time - t_start_;
   const bool measured = settings_.com_state == ComState::kMeasured;

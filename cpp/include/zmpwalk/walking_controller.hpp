@@ -52,6 +52,12 @@ struct CycleOutput {
   Fall fell = Fall::kNone;
 };
 
+/// Where a cycle takes kinematics, inertia and bias forces from.
+enum class Terms {
+  kCompute,  ///< computes them from the state
+  kInData    ///< `data` holds them: mj_step1 or mj_forward has just run for this state
+};
+
 /// One `update(data) -> CycleOutput` per control cycle: state in, torque out.
 ///
 /// Reads the state, asks the gait where to go, turns the desired ZMP into a desired COM state (16), computes the torque that realises
@@ -71,8 +77,10 @@ class WalkingController {
 
   /// One physics step's worth of control: computes a torque when a control period has gone by, else holds; writes data->ctrl.
   ///
-  /// @throws InputError the state is not finite (nothing is changed), or reset was never called. Allocates nothing.
-  const CycleOutput& update(mjData* data);
+  /// With Terms::kInData nothing is computed twice; the torque has the same bits.
+  /// @throws InputError the state is not finite, or the terms in `data` belong to another (nothing is changed); reset was
+  ///         never called. Allocates nothing.
+  const CycleOutput& update(mjData* data, Terms terms = Terms::kCompute);
 
   const CycleOutput& output() const { return out_; }
   const WalkSettings& settings() const { return settings_; }

@@ -46,8 +46,6 @@ Robot::Robot(const mjModel* m, const RobotDescription& description)
   root_body_ = m->jnt_bodyid[root];
   qpos0_ = m->jnt_qposadr[root];
   dof0_ = m->jnt_dofadr[root];
-  full_A_.resize(static_cast<std::size_t>(m->nv) * m->nv);
-  rne_ = VecX::Zero(m->nv);
 
   const int joints = nv_ - 6;
   gear_ = VecX::Ones(joints);
@@ -139,42 +137,55 @@ void Robot::read(const mjData* d) {
   }
   mj_kinematics(m_, own);
   mj_comPos(m_, own);
-  mujoco_compat::full_inertia(m_, own, full_A_.data());
+  mujoco_compat::compute_inertia(m_, own);
   mj_comVel(m_, own);
   mj_passive(m_, own);
-  mj_rne(m_, own, 0, rne_.data());
+  mj_rne(m_, own, 0, own->qfrc_bias);
+  collect(own);
+}
 
+void Robot::require_computed(const mjData* d) const {
+  for (int i = 0; i < 3; ++i)
+    if (d->xpos[3 * root_body_ + i] != d->qpos[qpos0_ + i])
+      throw InputError("data's computed terms belong to another state than its qpos: call mj_step1 or mj_forward before "
+                       "this update, or let it compute them itself");
+}
+
+void Robot::read_computed(const mjData* d) {
+  std::copy_n(d->qpos + qpos0_, nv_ + 1, data_->qpos + qpos0_);
+  std::copy_n(d->qvel + dof0_, nv_, data_->qvel + dof0_);
+  collect(d);
+}
+
+void Robot::collect(const mjData* d) {
   Dynamics& out = dynamics_;
   out.mass = m_->body_subtreemass[root_body_];
   out.gravity = vec3(m_->opt.gravity);
-  out.q = Eigen::Map<const VecX>(own->qpos + qpos0_ + 7, nv_ - 6);
-  out.dq = Eigen::Map<const VecX>(own->qvel + dof0_, nv_);
-  const long stride = m_->nv;
-  for (int i = 0; i < nv_; ++i)
-    out.A.row(i) = Eigen::Map<const VecX>(full_A_.data() + (dof0_ + i) * stride + dof0_, nv_);
+  out.q = Eigen::Map<const VecX>(d->qpos + qpos0_ + 7, nv_ - 6);
+  out.dq = Eigen::Map<const VecX>(d->qvel + dof0_, nv_);
+  mujoco_compat::inertia(m_, d, dof0_, out.A);
 
   // Uniform gravity is a uniform acceleration of the base: g = -A [gravity; 0].
   out.g.noalias() = out.A.leftCols<3>() * (-out.gravity);
-  out.drift_momentum = rne_.segment(dof0_, nv_) - out.g;
-  out.b = out.drift_momentum - Eigen::Map<const VecX>(own->qfrc_passive + dof0_, nv_);
+  out.drift_momentum = Eigen::Map<const VecX>(d->qfrc_bias + dof0_, nv_) - out.g;
+  out.b = out.drift_momentum - Eigen::Map<const VecX>(d->qfrc_passive + dof0_, nv_);
   for (int i = 6; i < nv_; ++i) {
     const double friction = m_->dof_frictionloss[dof0_ + i];
     if (friction > 0.0) out.b[i] += friction * std::tanh(out.dq[i] / friction_velocity);
   }
 
-  out.com = vec3(own->subtree_com + 3 * root_body_);
+  out.com = vec3(d->subtree_com + 3 * root_body_);
   out.J_com = out.A.topRows<3>() / out.mass;  // linear momentum M dcom is conjugate to the base's translation
   out.dcom.noalias() = out.J_com * out.dq;
   out.drift_com = out.drift_momentum.head<3>() / out.mass;
 
-  out.p_WB = vec3(own->xpos + 3 * root_body_);
-  out.R_WB = ConstRowMat3Map(own->xmat + 9 * root_body_);
+  out.p_WB = vec3(d->xpos + 3 * root_body_);
+  out.R_WB = ConstRowMat3Map(d->xmat + 9 * root_body_);
   out.omega_WB.noalias() = out.R_WB * out.dq.segment<3>(3);
-  for (const Side side : kSides) read_sole(frame_[side], out.sole[side]);
+  for (const Side side : kSides) read_sole(frame_[side], d, out.sole[side]);
 }
 
-void Robot::read_sole(const SoleFrame& frame, SoleState& out) const {
-  const mjData* d = data_.get();
+void Robot::read_sole(const SoleFrame& frame, const mjData* d, SoleState& out) const {
   const Mat3 R_WB = ConstRowMat3Map(d->xmat + 9 * frame.body);
   out.R_WF.noalias() = R_WB * frame.R_BF;
   out.p_WF = vec3(d->xpos + 3 * frame.body);

@@ -29,7 +29,7 @@ struct RobotLeg {
 
 /// One robot inside a MuJoCo model: mjModel and mjData on one side, `Dynamics` on the other.
 ///
-/// Works on an mjData of its own: no collision, no constraint solver. `m` must outlive it.
+/// From a state alone it works on an mjData of its own: no collision, no constraint solver. `m` must outlive it.
 class Robot {
  public:
   /// @throws ModelError  as RobotDescription::check
@@ -40,6 +40,11 @@ class Robot {
   /// A, b, g from mj_crb, mj_rne and mj_passive; Jdot dq by the pass with ddq = 0 along each leg.
   /// Joint dry friction enters b as c tanh(dq / friction_velocity).
   void read(const mjData* d);
+  /// The same from the terms that `d` holds already: right after mj_step1 or mj_forward for this very state. The same bits.
+  /// Allocates nothing.
+  void read_computed(const mjData* d);
+  /// @throws InputError  the base in `d` has moved since the terms in `d` were computed. Allocates nothing otherwise.
+  void require_computed(const mjData* d) const;
   const Dynamics& dynamics() const { return dynamics_; }
   /// The robot's own part of qpos (nv + 1,) and qvel (nv,), as last read.
   Eigen::Map<const VecX> qpos() const { return {data_->qpos + qpos0_, nv_ + 1}; }
@@ -95,7 +100,8 @@ class Robot {
     std::vector<int> chain;  // bodies from the root to the foot
     std::vector<int> dofs;   // robot's dof indices that move it
   };
-  void read_sole(const SoleFrame& frame, SoleState& out) const;
+  void collect(const mjData* d);
+  void read_sole(const SoleFrame& frame, const mjData* d, SoleState& out) const;
 
   const mjModel* m_;
   RobotDescription description_;
@@ -106,11 +112,10 @@ class Robot {
   std::array<SoleFrame, 2> frame_;
   std::vector<std::string> joint_names_;
   std::vector<int> actuator_;
-  VecX gear_, torque_limit_, stand_, rne_;
+  VecX gear_, torque_limit_, stand_;
   std::array<std::vector<int>, 2> leg_joints_;
   std::array<Vec3, 2> ankle_F_;
   std::array<RobotLeg, 2> leg_;
-  std::vector<mjtNum> full_A_;
 };
 
 }  // namespace zmpwalk
