@@ -1,5 +1,3 @@
-#include <pybind11/numpy.h>
-
 #include "common.hpp"
 #include "zmpwalk/robot/contact_forces.hpp"
 #include "zmpwalk/robot/mujoco_compat.hpp"
@@ -7,48 +5,50 @@
 
 using namespace zmpwalk;
 
-namespace {
-
-py::dict columns_of(const Recorder& recorder) {
+py::dict take_columns(std::vector<Column>&& columns) {
   py::dict out;
-  const auto rows = static_cast<py::ssize_t>(recorder.rows());
-  for (const Column& column : recorder.columns()) {
-    std::vector<py::ssize_t> shape{rows};
+  for (Column& column : columns) {
+    std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(column.values.size()) / column.width};
     if (column.width > 1) shape.push_back(column.width);
-    out[column.name.c_str()] = py::array_t<double>(shape, column.values.data());
+    auto* values = new std::vector<double>(std::move(column.values));
+    const py::capsule owner(values, [](void* p) { delete static_cast<std::vector<double>*>(p); });
+    out[column.name.c_str()] = py::array_t<double>(shape, values->data(), owner);
   }
   return out;
 }
+
+bool PythonProgress::operator()(double t) {
+  py::gil_scoped_acquire locked;
+  raised_ = PyErr_CheckSignals() != 0;  // Ctrl-C
+  if (raised_ || on_progress_.is_none()) return !raised_;
+  PyObject* answer = PyObject_CallFunction(on_progress_.ptr(), "dd", t, duration_);
+  raised_ = answer == nullptr;
+  Py_XDECREF(answer);
+  return !raised_;
+}
+
+namespace {
 
 py::tuple run(WalkingController& controller, double duration, const py::object& on_progress) {
   require_positive("duration", duration);
   Recorder recorder(controller, duration);
   Simulation simulation(controller);
-  bool raised = false;
+  PythonProgress progress(on_progress, duration);
   RunResult result;
   {
     py::gil_scoped_release unlocked;
-    result = simulation.run(
-        duration, recorder,
-        [&](double t) {
-          py::gil_scoped_acquire locked;
-          raised = PyErr_CheckSignals() != 0;  // Ctrl-C
-          if (raised || on_progress.is_none()) return !raised;
-          PyObject* answer = PyObject_CallFunction(on_progress.ptr(), "dd", t, duration);
-          raised = answer == nullptr;
-          Py_XDECREF(answer);
-          return !raised;
-        },
-        0.05);
+    result = simulation.run(duration, recorder, std::ref(progress), 0.05);
   }
-  if (raised) throw py::error_already_set();
+  progress.rethrow();
   py::dict info;
   info["fell"] = result.fell != Fall::kNone;
   info["fall_time"] = result.fall_time;
   info["fall_cause"] = to_string(result.fell);
   info["wall_time"] = result.wall_time;
-  info["cycle_us"] = py::array_t<double>(static_cast<py::ssize_t>(result.cycle_us.size()), result.cycle_us.data());
-  return py::make_tuple(columns_of(recorder), info);
+  std::vector<Column> times;
+  times.push_back({"cycle_us", 1, std::move(result.cycle_us)});
+  info.attr("update")(take_columns(std::move(times)));
+  return py::make_tuple(take_columns(recorder.take_columns()), info);
 }
 
 }  // namespace
@@ -63,7 +63,9 @@ void bind_simulation(py::module_& m) {
           "out"_a, "data"_a,
           "Adds one row; call right after mj_step, while `data` holds the contact forces of this cycle. Held cycles "
           "add none.")
-      .def("columns", &columns_of, "Columns by name, (T,) or (T, n).")
+      .def(
+          "columns", [](const Recorder& r) { return take_columns(std::vector<Column>(r.columns())); },
+          "Columns by name, (T,) or (T, n): a copy.")
       .def("__len__", &Recorder::rows);
 
   m.def("simulate", &run, "controller"_a, "duration"_a, "on_progress"_a = py::none(),

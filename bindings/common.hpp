@@ -3,12 +3,14 @@
 #include <mujoco/mujoco.h>
 #include <pybind11/eigen.h>
 #include <pybind11/functional.h>
+#include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
 #include <string>
 
 #include "zmpwalk/math/error.hpp"
+#include "zmpwalk/simulation.hpp"
 
 namespace py = pybind11;
 using namespace pybind11::literals;
@@ -16,6 +18,26 @@ using namespace pybind11::literals;
 // MuJoCo's Python objects give their C pointer as `_address`.
 const mjModel* model_of(const py::object& model);
 mjData* data_of(const py::object& data);
+
+/// NumPy arrays that take the columns' memory over, (T,) or (T, width).
+py::dict take_columns(std::vector<zmpwalk::Column>&& columns);
+
+/// Calls a Python function from a loop that has let go of the interpreter; lets Ctrl-C through where there is none.
+class PythonProgress {
+ public:
+  PythonProgress(py::object on_progress, double duration) : on_progress_(std::move(on_progress)), duration_(duration) {}
+  /// False once Python has raised something.
+  bool operator()(double t);
+  /// Raises what Python raised.
+  void rethrow() const {
+    if (raised_) throw py::error_already_set();
+  }
+
+ private:
+  py::object on_progress_;
+  double duration_;
+  bool raised_ = false;
+};
 
 void bind_errors(py::module_& m);
 void bind_settings(py::module_& m);
@@ -32,3 +54,5 @@ void bind_velocity_tracker(py::module_& m);
 void bind_gait_generator(py::module_& m);
 void bind_walking_controller(py::module_& m);
 void bind_simulation(py::module_& m);
+void bind_kernel(py::module_& m);
+void bind_benchmark(py::module_& m);

@@ -17,4 +17,6 @@ PYBIND11_MODULE(_core, m) {
   bind_gait_generator(m);
   bind_walking_controller(m);
   bind_simulation(m);
+  bind_kernel(m);
+  bind_benchmark(m);
 }

@@ -78,7 +78,8 @@ WalkingController::WalkingController(const mjModel* model, const RobotDescriptio
       tracker_(settings_.tracker, settings_.tracker_gain, settings_.tracker_time, settings_.tracker_deadband),
       whole_body_(robot_.nv(), robot_.leg_joints(),
                   {settings_.textbook, settings_.posture_task, settings_.wrench_distribution, settings_.contact_damping,
-                   settings_.singular_damping, settings_.singular_pivot}),
+                   settings_.singular_damping, settings_.singular_pivot,
+                   settings_.kernel}),
       estimator_(robot_.nv()),
       bounds_{bounds_of(robot_, kLeft, settings_), bounds_of(robot_, kRight, settings_)},
       R_HB_(Mat3::Identity()),
@@ -248,11 +249,10 @@ const CycleOutput& WalkingController::update(mjData* data, Terms terms) {
   }
 
   task_accelerations(gait);
-  Stance stance;
-  stance.standing = gait.standing;
-  stance.support = gait.support;
-  stance.lateral << -std::sin(gait.heading), std::cos(gait.heading), 0.0;
-  whole_body_.prepare(dyn, stance, f_star_);
+  stance_.standing = gait.standing;
+  stance_.support = gait.support;
+  stance_.lateral << -std::sin(gait.heading), std::cos(gait.heading), 0.0;
+  whole_body_.prepare(dyn, stance_, f_star_);
   choose_reference(gait);
   whole_body_.solve(f_xy_, result_);
   out_.f_c = result_.f_c;

@@ -38,6 +38,7 @@ from ._core import (
     WalkSettings,
     WholeBodyController,
     ZmpEstimator,
+    build_info,
     distribute_wrench,
     iterate_reference,
     measured_zmp,
@@ -53,7 +54,7 @@ from .description import (
 )
 from .profiles import VelocityProfile
 from .proposal import Proposal, propose
-from .simulation import Recorder, WalkingController, simulate
+from .simulation import Recorder, WalkingController, simulate, simulate_batch
 from .trace import Trace
 
 __all__ = [
@@ -84,6 +85,7 @@ __all__ = [
     "__version__",
     "analysis",
     "available_robots",
+    "build_info",
     "describe",
     "distribute_wrench",
     "errors",
@@ -95,6 +97,7 @@ __all__ = [
     "read_description",
     "render",
     "simulate",
+    "simulate_batch",
     "solve_reference",
 ]
 

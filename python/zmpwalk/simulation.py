@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import hashlib
 import math
+import os
 import platform
-from typing import Any, Callable
+import threading
+from concurrent.futures import FIRST_EXCEPTION, ThreadPoolExecutor, wait
+from typing import Any, Callable, Iterable, Mapping
 
 import mujoco
 import numpy as np
@@ -16,7 +19,7 @@ from .errors import InputError
 from .profiles import VelocityProfile
 from .trace import Trace, model_bytes, plain
 
-__all__ = ["Recorder", "WalkingController", "simulate"]
+__all__ = ["Recorder", "WalkingController", "simulate", "simulate_batch"]
 
 Progress = Callable[[float, float], None]
 
@@ -107,7 +110,7 @@ class Recorder:
             "fall_cause": self._cause,
         }
         model, meta = _describe_run(self._controller, self._robot, info, source="recorder")
-        return Trace(columns, meta, model)
+        return Trace(columns, meta, model, copy=False)
 
 
 def simulate(
@@ -147,6 +150,84 @@ def simulate(
     )
 
 
+def simulate_batch(
+    runs: Iterable[Mapping[str, Any]],
+    threads: int | None = None,
+    on_progress: Progress | None = None,
+) -> list[Trace]:
+    """Walk many times, side by side on threads; each walk has its own controller and data, equal robots share a model.
+
+    The interpreter's lock is free while walks run. A trace has the same bits whatever the number of threads.
+
+    Args:
+        runs: one mapping a walk, with the arguments of `simulate`: robot, profile, duration, settings, seed.
+        threads: how many walk at a time; None takes the processors this process may use.
+        on_progress: called now and then with (t, duration) [s], simulated time of all walks together.
+
+    Returns:
+        The traces, in the order of `runs`.
+
+    Raises:
+        What `simulate` raises for any of the runs, before the first begins where it can be known; then no trace is
+        returned. InputError: an argument that `simulate` does not have, threads < 1. KeyboardInterrupt: Ctrl-C.
+
+    Usage: `simulate_batch([{"profile": VelocityProfile.constant(v), "seed": i} for i, v in enumerate(speeds)])`
+    """
+    if threads is None:
+        threads = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    if isinstance(threads, bool) or not isinstance(threads, (int, np.integer)) or threads < 1:
+        raise InputError(f"threads is {threads!r}; it must be an integer of at least 1")
+    known = ("robot", "profile", "duration", "settings", "seed")
+    robots: dict[Any, tuple[mujoco.MjModel, RobotDescription]] = {}
+    jobs = []
+    runs = list(runs)  # keeps models alive that are told apart by their id
+    for i, given in enumerate(runs):
+        for name in given:
+            if name not in known:
+                raise InputError(f"run {i} has '{name}'; a run has only {', '.join(known)}")
+        robot = given.get("robot", "mahru")
+        key = robot if isinstance(robot, (str, os.PathLike)) else id(robot)
+        if key not in robots:
+            robots[key] = load_robot(robot)
+        controller = WalkingController(*robots[key], given.get("settings"), given.get("profile"))
+        name = robot if isinstance(robot, str) and robot.isidentifier() else None
+        jobs.append((controller, check_duration(given.get("duration", 8.0)), _check_seed(given.get("seed", 0)), name))
+
+    done, total = [0.0] * len(jobs), sum(duration for _, duration, _, _ in jobs)
+    stop = threading.Event()
+
+    def walk(i: int) -> Trace:
+        def at(t: float, duration: float) -> None:
+            done[i] = t
+            if stop.is_set():
+                raise _Stopped
+
+        controller, duration, seed, name = jobs[i]
+        at(0.0, duration)
+        trace = run(controller, duration, at, seed, name)
+        done[i] = duration
+        return trace
+
+    with ThreadPoolExecutor(threads, thread_name_prefix="zmpwalk") as pool:
+        waiting = {pool.submit(walk, i): i for i in range(len(jobs))}
+        futures = list(waiting)
+        try:
+            while waiting:
+                finished, _ = wait(waiting, timeout=0.05, return_when=FIRST_EXCEPTION)
+                for future in finished:
+                    future.result()
+                    del waiting[future]
+                if on_progress:
+                    on_progress(sum(done), total)
+        finally:
+            stop.set()
+    return [future.result() for future in futures]
+
+
+class _Stopped(Exception):
+    """Ends a walk whose batch has ended."""
+
+
 def run(
     controller: _core.WalkingController,
     duration: float,
@@ -159,12 +240,17 @@ def run(
     Usage: `run(zmpwalk.WalkingController(*zmpwalk.load_robot("mahru")), 8.0)`
     """
     duration = check_duration(duration)
-    if isinstance(seed, bool) or not isinstance(seed, (int, np.integer)):
-        raise InputError(f"seed is {seed!r}; it must be an integer")
+    seed = _check_seed(seed)
     # Always with a callback: running Python now and then is what lets Ctrl-C through.
     columns, info = _core.simulate(controller, duration, on_progress or (lambda t, duration: None))
-    model, meta = _describe_run(controller, robot, info, source="simulate", seed=int(seed), requested_duration=duration)
-    return Trace(columns, meta, model)
+    model, meta = _describe_run(controller, robot, info, source="simulate", seed=seed, requested_duration=duration)
+    return Trace(columns, meta, model, copy=False)
+
+
+def _check_seed(seed: int) -> int:
+    if isinstance(seed, bool) or not isinstance(seed, (int, np.integer)):
+        raise InputError(f"seed is {seed!r}; it must be an integer")
+    return int(seed)
 
 
 def check_duration(duration: float) -> float:

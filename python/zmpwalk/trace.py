@@ -54,6 +54,7 @@ class Trace(Mapping):
         columns: name -> (T,) or (T, n); must include `t`.
         meta: plain dictionaries, lists, strings, numbers.
         model: bytes of the compiled model (`mj_saveModel`), so that `rerun` works; None if unknown.
+        copy: False keeps float arrays as they are given, for a caller who gives them away.
 
     Raises:
         InputError: no column `t`.  DimensionError: columns of different length.
@@ -61,12 +62,18 @@ class Trace(Mapping):
     Usage: `trace = zmpwalk.simulate("mahru"); trace.com[:, 0]; trace["zmp_est"]; trace.summary()`
     """
 
-    def __init__(self, columns: Mapping[str, Any], meta: dict[str, Any] | None = None, model: bytes | None = None):
+    def __init__(
+        self,
+        columns: Mapping[str, Any],
+        meta: dict[str, Any] | None = None,
+        model: bytes | None = None,
+        copy: bool = True,
+    ):
         if "t" not in columns:
             raise InputError(f"a trace needs the column 't'; it has {', '.join(columns) or 'none'}")
         self._columns: dict[str, np.ndarray] = {}
         for name, values in columns.items():
-            array = np.array(values, dtype=float)
+            array = np.array(values, dtype=float) if copy else np.asarray(values, dtype=float)
             if array.ndim not in (1, 2) or len(array) != len(columns["t"]):
                 raise DimensionError(f"column '{name}' has shape {array.shape}; 't' has {len(columns['t'])} rows")
             array.flags.writeable = False

@@ -54,6 +54,7 @@ struct WalkSettings {
   double contact_damping = 100.0;
   double singular_damping = 1e-3, singular_pivot = 1e-2;
   double friction_velocity = 0.02;
+  std::string kernel = "auto";
   // A fall
   double fall_height = 0.8, fall_tilt = 0.8, fall_foot_tilt = 0.3;
 };
@@ -123,6 +124,8 @@ void visit_settings(Settings& s, Visitor&& v) {
   v("singular_pivot", s.singular_pivot, "", "pivot below which a leg counts as straight");
   v("friction_velocity", s.friction_velocity, "rad/s",
     "joint speed below which dry friction is taken as proportional to speed");
+  v("kernel", s.kernel, "",
+    "build of the inner loops: 'auto', the best that this processor runs, or one of build_info()['kernels']");
   v("fall_height", s.fall_height, "",
     "COM height over the support foot, as a share of the start's, that counts as a fall");
   v("fall_tilt", s.fall_tilt, "rad", "trunk tilt that counts as a fall");

@@ -31,6 +31,8 @@ class Recorder {
   void mark_fall();
 
   const std::vector<Column>& columns() const { return columns_; }
+  /// The columns themselves; the recorder is of no more use.
+  std::vector<Column> take_columns() { return std::move(columns_); }
   std::size_t rows() const { return rows_; }
   /// Contact of the last row.
   const MeasuredContact& contact() const { return contact_; }

@@ -83,6 +83,10 @@ class WalkingController {
   const CycleOutput& update(mjData* data, Terms terms = Terms::kCompute);
 
   const CycleOutput& output() const { return out_; }
+  // What the last cycle asked of the whole body.
+  const Stance& stance() const { return stance_; }
+  const TaskAccelerations& tasks() const { return f_star_; }  ///< the COM's x and y are `com_acceleration`
+  const Vec2& com_acceleration() const { return f_xy_; }      ///< W [m/s^2]
   const WalkSettings& settings() const { return settings_; }
   const VelocityProfile& profile() const { return profile_; }
   const Robot& robot() const { return robot_; }
@@ -136,6 +140,7 @@ class WalkingController {
   Vec2 kp_, kd_, df_dr_;
   Mat2 R_S_;
   Vec2 f_xy_ = Vec2::Zero();  // commanded COM acceleration, W
+  Stance stance_;
   TaskAccelerations f_star_;
   WholeBodyResult result_;
   CycleOutput out_;

@@ -1,6 +1,7 @@
 #include "zmpwalk/control/whole_body.hpp"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <Eigen/QR>
 #include <algorithm>
 
@@ -14,8 +15,10 @@ WholeBodyController::WholeBodyController(int nv, const std::array<std::vector<in
     : nv_(nv),
       legs_(legs),
       options_(options),
-      ddq_(MatX3::Zero(nv, 3)),
-      w_(MatX3::Zero(nv, 3)),
+      kernel_(&kernel(options.kernel)),
+      known_(VecX::Zero(nv)),
+      ddq_(Affine::Zero(nv, 4)),
+      w_(Affine::Zero(nv, 4)),
       F_(Mat3::Zero()),
       M_(Mat3::Zero()),
       tau_(MatX3::Zero(nv - 6, 3)),
@@ -58,52 +61,91 @@ void WholeBodyController::prepare(const Dynamics& dynamics, const Stance& stance
 
 void WholeBodyController::prepare_direct(const TaskAccelerations& f_star) {
   const Dynamics& dyn = *dynamics_;
-  // Known rows of ddq: base rotation from the trunk task (base axes), posture joints from theirs.
-  ddq_.setZero();
-  ddq_.col(0).segment<3>(3).noalias() = dyn.R_WB.transpose() * f_star.trunk;
-  for (const int j : posture_) ddq_(6 + j, 0) = f_star.posture[j];
+  // Known entries of ddq: base rotation from the trunk task (base axes), posture joints from theirs.
+  known_.segment<3>(3).noalias() = dyn.R_WB.transpose() * f_star.trunk;
+  for (const int j : posture_) known_[6 + j] = f_star.posture[j];
 
-  // K x = rhs for base translation and legs: sole rows (standing: at rest; swinging: f*), then COM rows.
-  MatK K;
-  MatK3 x = MatK3::Zero();
-  int row = 0;
+  // Sole rows (standing: at rest; swinging: f*), COM rows.
+  MotionRows rows;
   for (const Side side : kSides) {
     const SoleState& sole = dyn.sole[side];
-    for (int i = 0; i < kUnknowns; ++i) K.block<6, 1>(row, i) = sole.J.col(unknown_[i]);
-    auto rhs = x.block<6, 1>(row, 0);
     if (stance_.standing[side])
-      rhs = -sole.drift - damping_of(side) * sole.velocity;
+      rows.sole[side] = -sole.drift - damping_of(side) * sole.velocity;
     else
-      rhs = f_star.swing - sole.drift;
-    rhs.noalias() -= sole.J.middleCols<3>(3) * ddq_.block<3, 1>(3, 0);
-    for (const int j : posture_) rhs -= sole.J.col(6 + j) * ddq_(6 + j, 0);
-    row += 6;
+      rows.sole[side] = f_star.swing - sole.drift;
+    kernel_->subtract_product(nv_, sole.J.data(), known_.data(), rows.sole[side].data());
   }
-  for (int i = 0; i < kUnknowns; ++i) K.block<3, 1>(row, i) = dyn.J_com.col(unknown_[i]);
-  auto rhs = x.block<3, 1>(row, 0);
-  rhs = Vec3(0, 0, f_star.com.z()) - dyn.drift_com;
-  rhs.noalias() -= dyn.J_com.middleCols<3>(3) * ddq_.block<3, 1>(3, 0);
-  for (const int j : posture_) rhs -= dyn.J_com.col(6 + j) * ddq_(6 + j, 0);
-  x(row, 1) = x(row + 1, 2) = 1.0;
+  rows.com = Vec3(0, 0, f_star.com.z()) - dyn.drift_com;
+  rows.com -= dyn.J_com.lazyProduct(known_);
 
-  const Eigen::PartialPivLU<MatK> lu(K);
+  ddq_.col(0) = known_;
+  if (!solve_by_leg(rows)) solve_together(rows);
+
+  kernel_->multiply(nv_, dyn.A.data(), ddq_.data(), w_.data());
+  w_.col(0) += dyn.b + dyn.g;
+  // Base rows: the feet's forces add up to -w_1..3; their moment about the base, in base axes, to -w_4..6.
+  F_ = -w_.topLeftCorner<3, 3>();
+  M_.noalias() = -(dyn.R_WB * w_.block<3, 3>(3, 0));
+  const Vec3 arm = dyn.p_WB - dyn.sole[stance_.support].p_WF;
+  for (int k = 0; k < 3; ++k) M_.col(k) += arm.cross(F_.col(k));
+}
+
+bool WholeBodyController::solve_by_leg(const MotionRows& rows) {
+  // Rows of a sole: [I; 0] x_b + J_leg x_leg = r, so x_leg = y - Y x_b with [y, Y] = J_leg^-1 [r, [I; 0]].
+  // Rows of the COM: x_b + sum of J_com,leg x_leg = r_com + [f_xy; 0], so (I - sum J_com,leg Y) x_b = r_com - sum J_com,leg y + [f_xy; 0].
+  const Dynamics& dyn = *dynamics_;
+  std::array<Eigen::Matrix<double, 6, 12, Eigen::RowMajor>, 2> system;  // [J_leg, 0, r, [I; 0]] becomes [., ., y, Y]
+  Mat3 S = Mat3::Identity();
+  Vec3 r = rows.com;
+  for (const Side side : kSides) {
+    Eigen::Matrix<double, 3, 6> J_com;
+    for (int i = 0; i < 6; ++i) {
+      const int dof = 6 + legs_[side][i];
+      system[side].col(i) = dyn.sole[side].J.col(dof);
+      J_com.col(i) = dyn.J_com.col(dof);
+    }
+    system[side].middleCols<2>(6).setZero();
+    system[side].col(8) = rows.sole[side];
+    system[side].rightCols<3>().setIdentity();
+    if (!(kernel_->solve_leg(system[side].data()) >= options_.singular_pivot)) return false;
+    r.noalias() -= J_com.lazyProduct(system[side].col(8));
+    S.noalias() -= J_com.lazyProduct(system[side].rightCols<3>());
+  }
+  const double determinant = S.determinant();
+  if (!(std::abs(determinant) >= options_.singular_pivot)) return false;
+  const Mat3 S_inv = S.inverse();
+  Mat3 x_b;  // columns: value, slope in x, slope in y
+  x_b << S_inv * r, S_inv.leftCols<2>();
+  ddq_.topLeftCorner<3, 3>() = x_b;
+  for (const Side side : kSides) {
+    Eigen::Matrix<double, 6, 3> x = -system[side].rightCols<3>().lazyProduct(x_b);
+    x.col(0) += system[side].col(8);
+    for (int i = 0; i < 6; ++i) ddq_.row(6 + legs_[side][i]).head<3>() = x.row(i);
+  }
+  damped_ = false;
+  return true;
+}
+
+void WholeBodyController::solve_together(const MotionRows& rows) {
+  // K x = rhs for base translation and legs at once: a straight leg alone may be singular where all together are not.
+  const Dynamics& dyn = *dynamics_;
+  Eigen::Matrix<double, kUnknowns, kUnknowns> K;
+  Eigen::Matrix<double, kUnknowns, 3> x = Eigen::Matrix<double, kUnknowns, 3>::Zero();
+  for (int i = 0; i < kUnknowns; ++i)
+    K.col(i) << dyn.sole[kLeft].J.col(unknown_[i]), dyn.sole[kRight].J.col(unknown_[i]), dyn.J_com.col(unknown_[i]);
+  x.col(0) << rows.sole[kLeft], rows.sole[kRight], rows.com;
+  x(12, 1) = x(13, 2) = 1.0;
+
+  const Eigen::PartialPivLU<decltype(K)> lu(K);
   damped_ = lu.matrixLU().diagonal().cwiseAbs().minCoeff() < options_.singular_pivot;
   if (damped_) {
-    MatK gram = K * K.transpose();
+    auto gram = (K * K.transpose()).eval();
     gram.diagonal().array() += options_.damping * options_.damping;
-    x = K.transpose() * Eigen::LLT<MatK>(gram).solve(x);
+    x = K.transpose() * Eigen::LLT<decltype(K)>(gram).solve(x);
   } else {
     x = lu.solve(x).eval();
   }
-  for (int i = 0; i < kUnknowns; ++i) ddq_.row(unknown_[i]) = x.row(i);
-
-  w_.noalias() = dyn.A * ddq_;
-  w_.col(0) += dyn.b + dyn.g;
-  // Base rows: the feet's forces add up to -w_1..3; their moment about the base, in base axes, to -w_4..6.
-  F_ = -w_.topRows<3>();
-  M_.noalias() = -(dyn.R_WB * w_.middleRows<3>(3));
-  const Vec3 arm = dyn.p_WB - dyn.sole[stance_.support].p_WF;
-  for (int k = 0; k < 3; ++k) M_.col(k) += arm.cross(F_.col(k));
+  for (int i = 0; i < kUnknowns; ++i) ddq_.row(unknown_[i]).head<3>() = x.row(i);
 }
 
 void WholeBodyController::prepare_textbook(const TaskAccelerations& f_star) {
@@ -175,7 +217,8 @@ void WholeBodyController::solve(const Vec2& f_xy, WholeBodyResult& out) const {
   if (!dynamics_) throw InputError("solve was called before prepare");
   const Dynamics& dyn = *dynamics_;
   const Vec3 at(1.0, f_xy.x(), f_xy.y());
-  out.ddq.noalias() = ddq_ * at;
+  const Eigen::Vector4d at_4(1.0, f_xy.x(), f_xy.y(), 0.0);
+  out.ddq = ddq_.lazyProduct(at_4);
   out.damped = damped_;
 
   const Vec3& s = dyn.sole[stance_.support].p_WF;
@@ -203,10 +246,11 @@ void WholeBodyController::solve(const Vec2& f_xy, WholeBodyResult& out) const {
     }
     return;
   }
-  out.tau.noalias() = w_.bottomRows(nv_ - 6) * at;
+  std::array<Vec6, 2> f;
   for (const Side side : kSides)
-    if (stance_.standing[side])
-      out.tau.noalias() += dyn.sole[side].J.rightCols(nv_ - 6).transpose() * out.f_c.segment<6>(6 * side);
+    f[side] = stance_.standing[side] ? Vec6(out.f_c.segment<6>(6 * side)) : Vec6(Vec6::Zero());
+  kernel_->joint_torque(nv_ - 6, w_.row(6).data(), at_4.data(), dyn.sole[kLeft].J.col(6).data(), f[kLeft].data(),
+                        dyn.sole[kRight].J.col(6).data(), f[kRight].data(), out.tau.data());
 }
 
 }  // namespace zmpwalk

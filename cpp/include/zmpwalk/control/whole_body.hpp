@@ -6,6 +6,7 @@
 
 #include "zmpwalk/control/contact_space.hpp"
 #include "zmpwalk/control/dynamics.hpp"
+#include "zmpwalk/control/kernel_choice.hpp"
 #include "zmpwalk/control/task_space.hpp"
 #include "zmpwalk/zmp/estimate.hpp"
 
@@ -36,6 +37,7 @@ struct WholeBodyOptions {
   double contact_damping = 0.0;  ///< of a standing foot that does not carry the ZMP [1/s]: without load it would drift
   double damping = 1e-3;         ///< of the least-squares motion where a leg is straight [1 in rows of K]
   double singular_pivot = 1e-2;  ///< pivot below which the legs count as singular
+  std::string kernel = "auto";   ///< build of the inner loops, see `kernels()`
 };
 
 /// Torque, motion and contact wrenches of one cycle.
@@ -52,7 +54,8 @@ struct WholeBodyResult {
 /// With posture stacked the motion is fully determined (single support 6 + 25 rows, double support 12 + 19, for 31
 /// coordinates), so the torque of (1)-(7) follows without pseudo-inverses: [J_c; J] ddq = [-drift_c; f* - drift] gives ddq,
 /// the base rows of A ddq + h + J_c' f_c = S' tau give the total contact wrench, its exact sharing the wrench of each foot,
-/// and the joint rows the torque. `TaskSpace` is the definition; both give the same numbers.
+/// and the joint rows the torque. `TaskSpace` is the definition; both give the same numbers. Given the base's translation, each
+/// leg follows from its own sole's six rows; the three rows of the COM then fix that translation.
 ///
 /// Everything is affine in the horizontal COM acceleration (f*_x, f*_y) while F_z does not depend on it: `prepare` does the work
 /// once, `zmp` and `solve` then cost next to nothing.
@@ -60,7 +63,7 @@ class WholeBodyController {
  public:
   /// @param nv    velocity coordinates
   /// @param legs  joint indices of the two legs, six each, left and right
-  /// @throws DimensionError
+  /// @throws DimensionError; InputError an unknown kernel
   WholeBodyController(int nv, const std::array<std::vector<int>, 2>& legs, const WholeBodyOptions& options = {});
 
   /// Takes one instant. `f_star.com`'s x and y are not used here. The direct path allocates nothing.
@@ -80,12 +83,18 @@ class WholeBodyController {
 
  private:
   static constexpr int kUnknowns = 15;  // base translation and two legs
-  using MatK = Eigen::Matrix<double, kUnknowns, kUnknowns>;
-  using MatK3 = Eigen::Matrix<double, kUnknowns, 3>;
+  // What is affine in f_xy: value at f_xy = 0, slope in x, slope in y; the fourth column is zero (see Kernel).
+  using Affine = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>;
+  struct MotionRows {  // right sides of the rows of the soles and the COM, the known entries of ddq brought over
+    std::array<Vec6, 2> sole;
+    Vec3 com;
+  };
 
   /// Velocity damping of a standing sole [1/s]: none on the support, whose contact holds it.
   double damping_of(Side side) const { return side == stance_.support ? 0.0 : options_.contact_damping; }
   void prepare_direct(const TaskAccelerations& f_star);
+  bool solve_by_leg(const MotionRows& rows);
+  void solve_together(const MotionRows& rows);
   void prepare_textbook(const TaskAccelerations& f_star);
   bool uses_textbook() const { return options_.textbook || !options_.posture_task || !options_.wrench_distribution; }
 
@@ -98,11 +107,13 @@ class WholeBodyController {
   const Dynamics* dynamics_ = nullptr;
   Stance stance_;
   bool damped_ = false;
-  MatX3 ddq_, w_;  // columns: value at f_xy = 0, slope in x, slope in y; w = A ddq + h
-  Mat3 F_, M_;     // total wrench about the support sole, same columns
+  const Kernel* kernel_;
+  VecX known_;       // entries of ddq that the trunk and posture tasks fix
+  Affine ddq_, w_;   // w = A ddq + h
+  Mat3 F_, M_;       // total wrench about the support sole, columns as in Affine
   Vec2 zmp_0_ = Vec2::Zero();
   Mat2 zmp_slope_ = Mat2::Zero();
-  MatX3 tau_, f_c_;  // textbook path: torque and contact wrench, same columns
+  MatX3 tau_, f_c_;  // textbook path: torque and contact wrench, columns as in Affine
   RowMatX V_n_, G_;  // textbook path, two feet: internal torques and what they do to f_c
 };
 
