@@ -102,6 +102,38 @@ void bind_walking_controller(py::module_& m) {
            "Largest speed of the footsteps minus the planned one within `duration` [s]; 0 where steps follow the "
            "profile [m/s].")
       .def(
+          "plan",
+          [](const WalkingController& c, double duration, double dt) {
+            const WalkPlan plan = c.plan(duration, dt);
+            const auto rows = [](const std::vector<Vec2>& v) {
+              RowMatX out(static_cast<Eigen::Index>(v.size()), 2);
+              for (std::size_t i = 0; i < v.size(); ++i) out.row(static_cast<Eigen::Index>(i)) = v[i];
+              return out;
+            };
+            py::list steps;
+            for (const WalkPlan::Step& step : plan.steps) {
+              py::dict each;
+              each["foot"] = step.foot == kLeft ? "left" : "right";
+              each["lift_off"] = step.lift_off;
+              each["touch_down"] = step.touch_down;
+              each["place"] = Vec3(step.place.p.x(), step.place.p.y(), step.place.yaw);
+              steps.append(each);
+            }
+            py::dict out;
+            out["t"] = VecX(Eigen::Map<const VecX>(plan.t.data(), static_cast<Eigen::Index>(plan.t.size())));
+            out["com"] = rows(plan.com);
+            out["dcom"] = rows(plan.dcom);
+            out["zmp"] = rows(plan.zmp);
+            out["support"] = py::array(py::cast(plan.support));
+            out["steps"] = steps;
+            return out;
+          },
+          "duration"_a = 3.2, "dt"_a = 0.01,
+          "Footsteps, COM and ZMP ahead of time, for a robot that does as it is told, from where the last reset was.\n\n"
+          "Args:\n    duration: [s].\n    dt: time step of the plan [s].\n\n"
+          "Returns:\n    dict: t (T,) [s], com, dcom, zmp (T, 2) [m, m/s], W; support (T,), +1 left, -1 right; steps, a "
+          "list of dicts\n    foot, lift_off, touch_down [s], place (x, y, yaw).\n\nRaises:\n    InputError.")
+      .def(
           "zmp_bounds",
           [](const WalkingController& c, const std::string& side) {
             if (side != "left" && side != "right")

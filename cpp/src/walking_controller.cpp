@@ -72,9 +72,10 @@ WalkingController::WalkingController(const mjModel* model, const RobotDescriptio
     : robot_(model, description),
       profile_(profile),
       com_height_(stand_height(robot_.dynamics())),
+      half_sole_width_(0.5 * std::min(description.feet[kLeft].width, description.feet[kRight].width)),
       settings_(resolve(settings, scale_of(robot_))),
       pendulum_(com_height_, robot_.dynamics().gravity.norm()),
-      gait_(settings_, profile_, 0.5 * std::min(description.feet[kLeft].width, description.feet[kRight].width)),
+      gait_(settings_, profile_, half_sole_width_),
       tracker_(settings_.tracker, settings_.tracker_gain, settings_.tracker_time, settings_.tracker_deadband),
       whole_body_(robot_.nv(), robot_.leg_joints(),
                   {settings_.textbook, settings_.posture_task, settings_.wrench_distribution, settings_.contact_damping,
@@ -98,7 +99,21 @@ WalkingController::WalkingController(const mjModel* model, const RobotDescriptio
   for (int i = 0; i < 2; ++i)
     df_dr_[i] = (settings_.feed_forward ? -1.0 / (Tc * Tc) : 0.0) -
                 pd_acceleration(kp_[i], kd_[i], std::cosh(dt / Tc) - 1.0, std::sinh(dt / Tc) / Tc);
+  const Dynamics& dyn = robot_.dynamics();
+  start_ = gait_input(0.0, dyn.com.head<2>(), dyn.dcom.head<2>());
   check_profile();
+}
+
+GaitInput WalkingController::gait_input(double t, const Vec2& com, const Vec2& dcom) const {
+  const auto& [left, right] = robot_.dynamics().sole;
+  return {t, com, dcom, {left.p_WF, right.p_WF}, {left.R_WF, right.R_WF}};
+}
+
+WalkPlan WalkingController::plan(double duration, double dt) const {
+  WalkSettings settings = settings_;
+  settings.control_dt = dt;
+  require_positive("dt", dt);
+  return plan_walk(settings, profile_, pendulum_, bounds_, half_sole_width_, start_, duration);
 }
 
 double WalkingController::reach(double least_knee) const {
@@ -183,12 +198,8 @@ void WalkingController::reset(const mjData* data) {
   pendulum_ = LinearInvertedPendulum(com_height_, dyn.gravity.norm());
   com_des_ = dyn.com.head<2>();
   dcom_des_ = dyn.dcom.head<2>();
-  GaitInput start{0.0,
-                  com_des_,
-                  dcom_des_,
-                  {dyn.sole[kLeft].p_WF, dyn.sole[kRight].p_WF},
-                  {dyn.sole[kLeft].R_WF, dyn.sole[kRight].R_WF}};
-  gait_.reset(start, pendulum_);
+  start_ = gait_input(0.0, com_des_, dcom_des_);
+  gait_.reset(start_, pendulum_);
   tracker_.reset();
   VecX tau = std::move(out_.tau);
   out_ = CycleOutput{};
@@ -220,11 +231,8 @@ const CycleOutput& WalkingController::update(mjData* data, Terms terms) {
   const double t = data->time - t_start_;
   const bool measured = settings_.com_state == ComState::kMeasured;
 
-  GaitInput in{t,
-               measured ? Vec2(dyn.com.head<2>()) : com_des_,
-               measured ? Vec2(dyn.dcom.head<2>()) : dcom_des_,
-               {dyn.sole[kLeft].p_WF, dyn.sole[kRight].p_WF},
-               {dyn.sole[kLeft].R_WF, dyn.sole[kRight].R_WF}};
+  const GaitInput in = gait_input(t, measured ? Vec2(dyn.com.head<2>()) : com_des_,
+                                  measured ? Vec2(dyn.dcom.head<2>()) : dcom_des_);
   const GaitOutput& gait = gait_.update(in);
   R_S_ = rotation_z(gait.heading).topLeftCorner<2, 2>();
   const auto to_S = [&](const Vec2& p) { return Vec2(R_S_.transpose() * p); };

@@ -7,6 +7,7 @@
 
 #include "zmpwalk/control/whole_body.hpp"
 #include "zmpwalk/gait/gait_generator.hpp"
+#include "zmpwalk/gait/plan.hpp"
 #include "zmpwalk/gait/velocity_tracker.hpp"
 #include "zmpwalk/robot/robot.hpp"
 #include "zmpwalk/settings.hpp"
@@ -98,12 +99,16 @@ class WalkingController {
   double speed_limit() const;
   /// Largest difference between the speed of a footstep list and of the profile within `duration` [s]; 0 where steps follow the profile [m/s].
   double plan_mismatch(double duration) const;
+  /// Footsteps, COM and ZMP ahead of time, from where the last reset was, else from the start pose.
+  /// @param duration [s]   @param dt time step of the plan [s]. @throws InputError not finite and > 0
+  WalkPlan plan(double duration, double dt) const;
 
  private:
   struct Command {     // what a reference ZMP leads to, in S
     Vec2 x_d, v_d, f;  // next COM state (16), commanded acceleration (8)
   };
   Command command(const Vec2& r) const;
+  GaitInput gait_input(double t, const Vec2& com, const Vec2& dcom) const;
   void task_accelerations(const GaitOutput& gait);
   void choose_reference(const GaitOutput& gait);
   void clip_torque(const GaitOutput& gait);
@@ -115,7 +120,7 @@ class WalkingController {
 
   Robot robot_;
   VelocityProfile profile_;
-  double com_height_;
+  double com_height_, half_sole_width_;
   WalkSettings settings_;
   LinearInvertedPendulum pendulum_;
   GaitGenerator gait_;
@@ -127,6 +132,7 @@ class WalkingController {
   // State of a walk
   bool started_ = false;
   double t_start_ = 0.0;
+  GaitInput start_;
   int ticks_per_cycle_ = 1;
   long tick_ = 0;
   double ground_ = 0.0;                                    // height of the soles at the start
