@@ -1,4 +1,4 @@
-"""The command `zmpwalk`: walk, plot, inspect.
+"""The command `zmpwalk`: walk, plot, inspect, bench.
 
 Exit codes: 0 the robot stood to the end, 3 it fell (everything is written all the same), 2 bad input (one line on
 stderr, nothing written), 130 stopped by Ctrl-C (nothing written), 1 a fault of zmpwalk's own.
@@ -393,6 +393,48 @@ def _number(value: float | None, digits: int) -> str:
     if value is None or not math.isfinite(value):
         return "–"
     return f"{value:.{digits}f}" if abs(value) < 1e5 else f"{value:.1e}"
+
+
+# --- bench
+
+
+@cli.command()
+@click.option("--robot", default="mahru", show_default=True, help="A name, a robot.json, or an MJCF file.")
+@click.option("--duration", type=float, default=120.0, show_default=True, help="Of the walk whose cycles are timed [s].")
+@click.option("--part", "parts", multiple=True, help="Measure only this; may be given several times.  [default: all]")
+@click.option("--json", "file", type=click.Path(path_type=Path), metavar="FILE", help="Write every figure as JSON.")
+def bench(robot: str, duration: float, parts: tuple[str, ...], file: Path | None) -> int:
+    """Measure how fast the controller is on this machine."""
+    from rich.table import Table
+
+    from . import bench as measure
+
+    if file is not None and not file.absolute().parent.is_dir():
+        raise InputError(f"'{file.absolute().parent}' is not a folder, {file.name} cannot be written there")
+    tty = sys.stderr.isatty()
+
+    def progress(part: str, share: float) -> None:
+        if tty:
+            print(f"\r{part}: {100 * share:3.0f} %  ", end="", file=sys.stderr, flush=True)
+        elif share == 0.0:
+            print(f"measuring {part}", file=sys.stderr, flush=True)
+
+    result = measure.bench(robot, duration, parts or None, progress)
+    if tty:
+        print("\r" + " " * 40 + "\r", end="", file=sys.stderr)
+    console, info = _console(), result["machine"]
+    console.print(f"{info['cpu']}, {info['cores']} cores; MuJoCo {info['mujoco']}; kernel {result['build']['kernel']}\n")
+    for title, headings, rows in measure.tables(result):
+        table = Table(title=title, title_justify="left", box=None, pad_edge=False, show_header=any(headings))
+        for i, heading in enumerate(headings):
+            table.add_column(heading, justify="right" if i else "left")
+        for row in rows:
+            table.add_row(*row)
+        console.print(table, "", sep="\n")
+    if file is not None:
+        file.write_text(json.dumps(result, indent=2) + "\n", encoding="utf-8")
+        console.print(f"written: {file}", soft_wrap=True)
+    return STOOD
 
 
 # --- plot
