@@ -8,12 +8,13 @@ from pathlib import Path
 INEQUALITIES = "honours friction, CoP and unilateral inequalities, which our closed form does not"
 MODES = {"ss": "in single support", "ds": "in double support", "stand": "standing still"}
 WHO = {
-    "zmpwalk_cpp": ("zmpwalk, whole cycle, C++", None),
+    "zmpwalk_cpp": ("zmpwalk, whole cycle from the state alone, C++", None),
     "tsid_cpp": ("TSID, tick, C++", "zmpwalk_cpp"),
     "zmpwalk_python": ("zmpwalk, `controller.update(data)`, Python", None),
     "tsid_python": ("TSID, tick, Python", "zmpwalk_python"),
     "placo_python": ("placo, dynamics solver, Python", "zmpwalk_python"),
-    "mj_step_python": ("`mujoco.mj_step` of the same walk, Python", None),
+    "zmpwalk_cpp_in_loop": ("zmpwalk, the same after `mj_step1`, C++", None),
+    "mj_step_cpp": ("the physics step of the same walk, C++", None),
 }
 
 
@@ -52,7 +53,8 @@ def peers_table(result):
     size = result["size"]
     lines += [
         "",
-        f"{cpu}, Python {result['python']} (peers: {result['peers_python']}), {result['compiler']}, "
+        f"{cpu}, Python {result['python']} (peers: {result['peers_python']}), {result['compiler']}, our kernel "
+        f"{result['kernel']}, the peers' packages as they come (generic x86-64), "
         + ", ".join(f"{name} {version}" for name, version in versions.items())
         + f". {result['rounds']} rounds in turn, {result['ticks']} ticks of each peer per round and mode, over "
         f"{result['states']['ss']} instants of single and {result['states']['ds']} of double support of one walk. "

@@ -20,6 +20,7 @@ import mujoco
 import numpy as np
 import problem
 import zmpwalk
+from zmpwalk import _core
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
@@ -142,42 +143,33 @@ class Peer:
         self.log.close()
 
 
-class OurPython:
-    """`controller.update(data)` timed from Python inside a walk, and the physics step between."""
-
-    def __init__(self):
-        self.model, self.description = zmpwalk.load_robot("mahru")
-        self.start()
-
-    def start(self):
-        self.data = mujoco.MjData(self.model)
-        self.description.place(self.model, self.data)
-        self.controller = zmpwalk.WalkingController(self.model, self.description)
-        self.controller.reset(self.data)
-
-    def walk(self, seconds):
-        """phase -> [ns] of updates, and of `mj_step` as it is called from Python."""
-        cycles, steps = {"ss": [], "ds": []}, {"ss": [], "ds": []}
-        for _ in range(round(seconds / self.model.opt.timestep)):
-            before = time.perf_counter_ns()
-            out = self.controller.update(self.data)
-            between = time.perf_counter_ns()
-            mujoco.mj_step(self.model, self.data)
-            after = time.perf_counter_ns()
-            phase = "ss" if out.phase else "ds"
-            cycles[phase].append(between - before)
-            steps[phase].append(after - between)
-        return cycles, steps
+def our_python(seconds):
+    """phase -> [ns] of `controller.update(data)` timed from Python inside a walk."""
+    model, description = zmpwalk.load_robot("mahru")
+    data = mujoco.MjData(model)
+    description.place(model, data)
+    controller = zmpwalk.WalkingController(model, description)
+    controller.reset(data)
+    cycles = {"ss": [], "ds": []}
+    for _ in range(round(seconds / model.opt.timestep)):
+        before = time.perf_counter_ns()
+        out = controller.update(data)
+        after = time.perf_counter_ns()
+        cycles["ss" if out.phase else "ds"].append(after - before)
+        mujoco.mj_step(model, data)
+    return cycles
 
 
 def our_cpp(seconds):
-    """phase -> [ns] of cycles as the closed loop in C++ times them itself (`zmpwalk bench` splits them by stage)."""
-    from zmpwalk import _core
-
-    controller = zmpwalk.WalkingController(*zmpwalk.load_robot("mahru"))
-    columns, info = _core.simulate(controller, seconds, lambda t, duration: None)
-    nanoseconds, phase = 1e3 * np.asarray(info["cycle_us"]), np.asarray(columns["phase"])
-    return {name: nanoseconds[phase == i].tolist() for i, name in enumerate(("ds", "ss"))}
+    """who -> phase -> [ns] of a walk in C++: cycle from the state alone, cycle after mj_step1, physics step."""
+    model, description = zmpwalk.load_robot("mahru")
+    settings, profile = zmpwalk.WalkSettings(), zmpwalk.VelocityProfile.paper()
+    columns = _core.benchmark_cycle(model, description, settings, profile, seconds, textbook_every=0)
+    names = {"zmpwalk_cpp": "from_scratch", "zmpwalk_cpp_in_loop": "in_loop", "mj_step_cpp": "step"}
+    return {
+        who: {phase: (1e3 * columns[name][columns["phase"] == i]).tolist() for i, phase in enumerate(("ds", "ss"))}
+        for who, name in names.items()
+    }
 
 
 def cpu():
@@ -213,17 +205,14 @@ def measure(peers, rounds, ticks, seconds):
         for phase, nanoseconds in by_phase.items():
             samples[phase].setdefault(who, []).extend(nanoseconds)
 
-    ours = OurPython()
-    ours.walk(seconds)
+    our_python(seconds), our_cpp(seconds)  # nobody starts cold
     for peer in peers.values():
         for phase in PHASES:
             peer.ask("time", phase, ticks)
     for _ in range(rounds):
-        ours.start()
-        cycles, steps = ours.walk(seconds)
-        add("zmpwalk_python", cycles)
-        add("mj_step_python", steps)
-        add("zmpwalk_cpp", our_cpp(seconds))
+        add("zmpwalk_python", our_python(seconds))
+        for who, by_phase in our_cpp(seconds).items():
+            add(who, by_phase)
         for peer in peers.values():
             add(peer.name, {phase: peer.ask("time", phase, ticks) for phase in PHASES})
     return {phase: {who: summary(values) for who, values in part.items()} for phase, part in samples.items()}
@@ -261,6 +250,7 @@ def compare(rounds, ticks, seconds):
             "python": platform.python_version(),
             "peers_python": run([pythons["peers"], "-V"], "the peers' Python").split()[-1],
             "compiler": compiler,
+            "kernel": zmpwalk.build_info()["kernel"],
             "versions": versions,
             "rounds": rounds,
             "ticks": ticks,

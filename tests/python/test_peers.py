@@ -74,7 +74,7 @@ def test_every_ratio_stands_beside_what_the_peers_do_more_and_the_cpu_is_named()
     times = {"min": 10.0, "median": 12.0}
     slow = {"min": 60.0, "median": 84.0}
     peers = {"tsid_cpp": slow, "tsid_python": slow, "placo_python": slow}
-    ours = {"zmpwalk_cpp": times, "zmpwalk_python": times, "mj_step_python": times}
+    ours = {"zmpwalk_cpp": times, "zmpwalk_python": times, "zmpwalk_cpp_in_loop": times, "mj_step_cpp": times}
     answers = {"acceleration": 1e-5, "zmp_mm": 1e-4, "torque_motion": 1e-4, "torque": 40.0}
     agreement = {who: dict.fromkeys(("ss", "ds", "stand"), answers) for who in peers}
     size = {"variables": 1, "equalities": 2, "inequalities": 3}
@@ -84,6 +84,7 @@ def test_every_ratio_stands_beside_what_the_peers_do_more_and_the_cpu_is_named()
             "python": "3.10",
             "peers_python": "3.10",
             "compiler": "c++ 1",
+            "kernel": "v3",
             "versions": {"tsid": "1"},
             "rounds": 1,
             "ticks": 1,
