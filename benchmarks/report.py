@@ -65,7 +65,9 @@ def peers_table(result):
         f"TSID solves {size['ss']['variables']} unknowns under {size['ss']['equalities']} equalities and "
         f"{size['ss']['inequalities']} two-sided inequalities in single support, {size['ds']['variables']}, "
         f"{size['ds']['equalities']} and {size['ds']['inequalities']} in double support. Of these are active: "
-        + ", ".join(f"{min(result['active'][m])} to {max(result['active'][m])} {MODES[m]}" for m in MODES)
+        + ", ".join(
+            f"{' to '.join(map(str, sorted({min(n), max(n)})))} {MODES[m]}" for m, n in result["active"].items()
+        )
         + "; a foot with little load has its CoP on the edge.",
         "",
         "The robot is one: inertia, nonlinear effects, COM and sole positions of the exported URDF differ from "
