@@ -13,13 +13,15 @@ DEMO_OUT ?= out/demo
 SANITIZE ?= address,undefined
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: help demo test pytest ctest sanitize wheel wheel-check sdist stubs format lint check-all clean
+.PHONY: help demo test pytest ctest sanitize bench instructions native peers wheel wheel-check sdist stubs format lint check-all clean
 
 help:
 	@echo 'make demo         walk the paper'\''s experiment; figures, trace and summary go to $(DEMO_OUT)'
 	@echo 'make test         pytest and ctest            (PYTEST_ARGS="-k zmp", CTEST_ARGS="-R pendulum")'
 	@echo 'make pytest       only the Python tests;  make ctest  only the C++ tests'
 	@echo 'make sanitize     the C++ tests under $(SANITIZE)'
+	@echo 'make bench        how fast it is here: every figure of docs/benchmarks.md; make peers  beside TSID and placo'
+	@echo 'make instructions instructions of a cycle against the record (needs valgrind);  make native  against -march=native'
 	@echo 'make wheel        dist/*.whl;  make wheel-check  install it into an empty environment and walk;  make sdist'
 	@echo 'make format       clang-format, ruff, gersemi, nbstripout;  make lint  the same as a check, and mypy'
 	@echo 'make stubs        python/zmpwalk/_core.pyi from the built module'
@@ -146,6 +148,31 @@ sanitize: $(B)/test.stamp
 	@$(call configure_tests,sanitize,-DZMPWALK_SANITIZE=$(SANITIZE))
 	@cmake --build $(B)/sanitize
 	@$(call run_ctest,sanitize,3000)
+
+# ---- speed
+BENCH_OUT ?= out/bench
+UPDATE ?=
+bench: $(B)/installed.stamp
+	@mkdir -p $(BENCH_OUT)
+	$(VENV)/bin/zmpwalk bench --json $(BENCH_OUT)/bench.json
+
+peers: $(B)/installed.stamp
+	$(PY) benchmarks/peers/run.py
+
+configure_cycle = cmake -S . -B $(B)/$(1) -G Ninja -DPython_EXECUTABLE=$(PY) -DZMPWALK_BUILD_PYTHON=OFF \
+	-DZMPWALK_BUILD_BENCHMARKS=ON $(2) $(call QUIETLY,configure-$(1))
+
+instructions: $(B)/base.stamp
+	@$(call configure_cycle,cycle)
+	@cmake --build $(B)/cycle $(call QUIETLY,cycle)
+	@$(PY) benchmarks/instructions.py $(B)/cycle/cycle "$$(cat $(B)/cycle/compiler)" $(UPDATE)
+
+native: $(B)/base.stamp
+	@$(call configure_cycle,cycle)
+	@cmake --build $(B)/cycle $(call QUIETLY,cycle)
+	@$(call configure_cycle,cycle-native,-DZMPWALK_NATIVE=ON)
+	@cmake --build $(B)/cycle-native $(call QUIETLY,cycle-native)
+	@$(PY) benchmarks/native.py $(B)/cycle/cycle $(B)/cycle-native/cycle
 
 # ---- packages
 wheel: $(B)/venv.stamp
