@@ -64,7 +64,9 @@ def main() -> int:
         change = count / kept - 1
         bad = count > LIMIT or (comparable and abs(change) > TOLERANCE)
         failed |= bad
-        print(f"{name:30} {count:8d} instructions, recorded {kept:8d}, {100 * change:+.1f} %{'  FAILED' if bad else ''}")
+        print(
+            f"{name:30} {count:8d} instructions, recorded {kept:8d}, {100 * change:+.1f} %{'  FAILED' if bad else ''}"
+        )
     if not comparable:
         print(f"recorded with {record['compiler']}, built with {given.compiler}: only the limit of {LIMIT} is held")
     if failed:

@@ -132,9 +132,7 @@ def _cycle(loaded: Any, duration: float, progress: Progress) -> Result:
     model, description = loaded
     settings = _core.WalkSettings()
     with _pinned():
-        columns = _core.benchmark_cycle(
-            model, description, settings, WALK(), duration, TEXTBOOK_EVERY, progress
-        )
+        columns = _core.benchmark_cycle(model, description, settings, WALK(), duration, TEXTBOOK_EVERY, progress)
     phase = columns.pop("phase")
     difference = columns.pop("difference")
     result: Result = {"largest_difference_to_textbook": float(np.nanmax(difference)), "cycles": len(phase)}
@@ -215,8 +213,10 @@ def _simulate(loaded: Any, duration: float, progress: Progress) -> Result:
 
 def _batch(loaded: Any, duration: float, progress: Progress) -> Result:
     """Eight walks on one thread, two, and as many as there are cores."""
-    runs = [{"robot": loaded, "profile": VelocityProfile.constant(0.1), "duration": min(duration, 10.0), "seed": i}
-            for i in range(8)]
+    runs = [
+        {"robot": loaded, "profile": VelocityProfile.constant(0.1), "duration": min(duration, 10.0), "seed": i}
+        for i in range(8)
+    ]
     result: Result = {}
     for threads in sorted({1, min(2, _cores()), _cores()}):
         best = np.inf
@@ -283,7 +283,9 @@ def with_joints(joints: int) -> str:
 def _import(loaded: Any, duration: float, progress: Progress) -> Result:
     """Seconds that `import zmpwalk` takes after mujoco and numpy, in processes of their own."""
     code = "import time, mujoco, numpy; t = time.perf_counter(); import zmpwalk; print(time.perf_counter() - t)"
-    times = [float(subprocess.run([sys.executable, "-c", code], check=True, stdout=subprocess.PIPE).stdout) for _ in range(5)]
+    times = [
+        float(subprocess.run([sys.executable, "-c", code], check=True, stdout=subprocess.PIPE).stdout) for _ in range(5)
+    ]
     return {"min_s": min(times), "median_s": float(np.median(times))}
 
 
@@ -366,7 +368,13 @@ def tables(result: Result) -> list[tuple[str, list[str], list[list[str]]]]:
         out.append(("batches", ["threads", "simulated s per s", "speed-up"], rows))
     rest = []
     if "simulate" in result:
-        rest.append([f"simulate, {result['duration']:g} s recorded", f"{result['simulate']['real_time_factor']:.1f}", "× real time"])
+        rest.append(
+            [
+                f"simulate, {result['duration']:g} s recorded",
+                f"{result['simulate']['real_time_factor']:.1f}",
+                "× real time",
+            ]
+        )
     if "plan" in result:
         rest.append(["plan of 3.2 s", f"{result['plan']['median']:.0f}", "µs"])
     if "import" in result:

@@ -400,7 +400,9 @@ def _number(value: float | None, digits: int) -> str:
 
 @cli.command()
 @click.option("--robot", default="mahru", show_default=True, help="A name, a robot.json, or an MJCF file.")
-@click.option("--duration", type=float, default=120.0, show_default=True, help="Of the walk whose cycles are timed [s].")
+@click.option(
+    "--duration", type=float, default=120.0, show_default=True, help="Of the walk whose cycles are timed [s]."
+)
 @click.option("--part", "parts", multiple=True, help="Measure only this; may be given several times.  [default: all]")
 @click.option("--json", "file", type=click.Path(path_type=Path), metavar="FILE", help="Write every figure as JSON.")
 def bench(robot: str, duration: float, parts: tuple[str, ...], file: Path | None) -> int:
@@ -423,7 +425,9 @@ def bench(robot: str, duration: float, parts: tuple[str, ...], file: Path | None
     if tty:
         print("\r" + " " * 40 + "\r", end="", file=sys.stderr)
     console, info = _console(), result["machine"]
-    console.print(f"{info['cpu']}, {info['cores']} cores; MuJoCo {info['mujoco']}; kernel {result['build']['kernel']}\n")
+    console.print(
+        f"{info['cpu']}, {info['cores']} cores; MuJoCo {info['mujoco']}; kernel {result['build']['kernel']}\n"
+    )
     for title, headings, rows in measure.tables(result):
         table = Table(title=title, title_justify="left", box=None, pad_edge=False, show_header=any(headings))
         for i, heading in enumerate(headings):

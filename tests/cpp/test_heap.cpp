@@ -1,4 +1,8 @@
+#include <dlfcn.h>
+#include <pthread.h>
+
 #include <cstddef>
+#include <mutex>
 #include <new>
 
 #include "robots.hpp"
@@ -6,12 +10,12 @@
 #include "zmpwalk/walking_controller.hpp"
 
 // The control cycle does not touch the heap: Eigen's own watch aborts with a line number, and every malloc of this program,
-// MuJoCo's and the standard library's too, is counted while a cycle runs.
+// MuJoCo's and the standard library's too, and every mutex taken, is counted while a cycle runs.
 
 namespace {
 
 thread_local bool watching = false;
-thread_local long allocations = 0;
+thread_local long allocations = 0, locks = 0;
 
 }  // namespace
 
@@ -40,6 +44,13 @@ __attribute__((visibility("default"))) void* aligned_alloc(std::size_t alignment
   return __libc_memalign(alignment, size);
 }
 }
+
+// Locks too: the one a mutex takes, under the name that the C library itself uses.
+__attribute__((visibility("default"))) int pthread_mutex_lock(pthread_mutex_t* mutex) noexcept {
+  static const auto next = reinterpret_cast<int (*)(pthread_mutex_t*)>(dlsym(RTLD_NEXT, "pthread_mutex_lock"));
+  locks += watching;
+  return next(mutex);
+}
 #else
 #define ZMPWALK_COUNTS_MALLOC 0
 #endif
@@ -52,7 +63,7 @@ namespace {
 /// Allocations while `body` runs.
 template <class Body>
 long allocated(Body&& body) {
-  allocations = 0;
+  allocations = locks = 0;
   Eigen::internal::set_is_malloc_allowed(false);
   watching = true;
   body();
@@ -63,12 +74,12 @@ long allocated(Body&& body) {
 
 /// What a walk went through, and how often its cycles and its recording allocated.
 struct Seen {
-  long cycles = 0, recording = 0;
+  long cycles = 0, recording = 0, locks = 0;
   bool single = false, both = false, left = false, right = false, modified = false, saturated = false;
   int steps = 0;
 };
 
-Seen walk(double duration, const WalkSettings& s, const mjModel* m = mahru()) {
+Seen walk(double duration, const WalkSettings& s, const mjModel* m = mahru(), Terms terms = Terms::kCompute) {
   WalkingController controller(m, describe(mahru()), s);
   Recorder recorder(controller, duration);
   const MjDataPtr d = make_data(m);
@@ -77,8 +88,13 @@ Seen walk(double duration, const WalkSettings& s, const mjModel* m = mahru()) {
   Seen seen;
   while (d->time < duration) {
     const CycleOutput* out = nullptr;
-    seen.cycles += allocated([&] { out = &controller.update(d.get()); });
-    mj_step(m, d.get());
+    if (terms == Terms::kInData) mj_step1(m, d.get());
+    seen.cycles += allocated([&] { out = &controller.update(d.get(), terms); });
+    seen.locks += locks;
+    if (terms == Terms::kInData)
+      mj_step2(m, d.get());
+    else
+      mj_step(m, d.get());
     seen.recording += allocated([&] { recorder.add(*out, d.get()); });
     (out->phase ? seen.single : seen.both) = true;
     (out->support > 0 ? seen.left : seen.right) = true;
@@ -92,6 +108,7 @@ Seen walk(double duration, const WalkSettings& s, const mjModel* m = mahru()) {
 void stays_off_the_heap(const Seen& seen) {
   BOOST_CHECK_EQUAL(seen.cycles, 0);
   BOOST_CHECK_EQUAL(seen.recording, 0);
+  BOOST_CHECK_EQUAL(seen.locks, 0);
 }
 
 }  // namespace
@@ -103,7 +120,11 @@ BOOST_AUTO_TEST_CASE(the_watch_sees_allocations_of_every_kind) {
   ::operator delete(memory);
   BOOST_CHECK_GE(allocated([] { mj_deleteData(mj_makeData(mahru())); }), 1);  // in another library
 #endif
+  std::mutex mutex;
+  allocated([&] { const std::lock_guard<std::mutex> lock(mutex); });
+  BOOST_CHECK_EQUAL(locks, ZMPWALK_COUNTS_MALLOC);
   BOOST_CHECK_EQUAL(allocated([] {}), 0);
+  BOOST_CHECK_EQUAL(locks, 0);
 }
 
 BOOST_AUTO_TEST_CASE(cycle_of_the_default_law_allocates_nothing) {
@@ -111,6 +132,12 @@ BOOST_AUTO_TEST_CASE(cycle_of_the_default_law_allocates_nothing) {
   stays_off_the_heap(seen);
   BOOST_CHECK(seen.single && seen.both && seen.left && seen.right && seen.modified);
   BOOST_CHECK_GE(seen.steps, 3);
+}
+
+BOOST_AUTO_TEST_CASE(cycle_on_mujocos_terms_allocates_nothing) {
+  const Seen seen = walk(3.0, WalkSettings(), mahru(), Terms::kInData);
+  stays_off_the_heap(seen);
+  BOOST_CHECK(seen.single && seen.both && seen.left && seen.right && seen.modified);
 }
 
 BOOST_AUTO_TEST_CASE(cycle_of_the_paper_law_allocates_nothing) {
