@@ -70,9 +70,10 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "%s\n", error);
     return 2;
   }
-  const int code = what == "time" ? time(m, 8.0)
-                                  : count(m, std::string(argv[3]) == "single" ? Phase::kSingleSupport : Phase::kDoubleSupport,
-                                          std::string(argv[4]) == "in_loop" ? Terms::kInData : Terms::kCompute, argv[5]);
+  const int code = what == "time"
+                       ? time(m, 8.0)
+                       : count(m, std::string(argv[3]) == "single" ? Phase::kSingleSupport : Phase::kDoubleSupport,
+                               std::string(argv[4]) == "in_loop" ? Terms::kInData : Terms::kCompute, argv[5]);
   mj_deleteModel(m);
   return code;
 }

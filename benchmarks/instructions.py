@@ -1,7 +1,7 @@
 """Instructions of one control cycle, counted by callgrind and held against benchmarks/instructions.json.
 
-Counts do not depend on how busy the machine is, but on compiler and kernel: the file names both. `make instructions` builds
-the program and calls this; `--update` writes the counts anew, which is to be done on purpose only.
+Counts do not depend on how busy the machine is, but on compiler and kernel: the file names both. `make instructions`
+builds the program and calls this; `--update` writes the counts anew, which is to be done on purpose only.
 """
 
 from __future__ import annotations
@@ -30,9 +30,8 @@ def instructions(program: str, phase: str, terms: str, kernel: str) -> float:
         words = ["valgrind", "--tool=callgrind", "--collect-atstart=no", "--toggle-collect=*counted_update*"]
         done = subprocess.run(
             [*words, f"--callgrind-out-file={out}", program, str(MODEL), "count", phase, terms, kernel],
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            universal_newlines=True,
+            capture_output=True,
+            text=True,
         )
     if done.returncode:
         raise SystemExit(f"callgrind failed:\n{done.stderr}")

@@ -22,10 +22,12 @@ void bind_benchmark(py::module_& m) {
       "model"_a, "description"_a, "settings"_a, "profile"_a, "duration"_a, "textbook_every"_a = 20,
       "on_progress"_a = py::none(),
       "Times the parts of every cycle of a walk side by side.\n\n"
-      "Args:\n    duration: simulated time [s].\n    textbook_every: equations as printed are timed in each n-th cycle; 0 "
+      "Args:\n    duration: simulated time [s].\n    textbook_every: equations as printed are timed in each n-th "
+      "cycle; 0 "
       "never.\n    on_progress: called as f(t, duration) about 20 times a second; may raise.\n\n"
       "Returns:\n    columns by name, (T,), times in microseconds: phase (0 double, 1 single support), in_loop, "
-      "from_scratch, step,\n    terms, terms_from_scratch, algebra, iteration, other, textbook, difference (of textbook and "
+      "from_scratch, step,\n    terms, terms_from_scratch, algebra, iteration, other, textbook, difference (of "
+      "textbook and "
       "algebra, relative).\n\nRaises:\n    ModelError, InputError as WalkingController; InputError for a Runge-Kutta "
       "integrator.");
 }

@@ -61,8 +61,8 @@ void bind_walking_controller(py::module_& m) {
                        const VelocityProfile& profile) {
              return std::make_unique<WalkingController>(model_of(model), description, settings, profile);
            }),
-           "model"_a, "description"_a, py::arg_v("settings", WalkSettings(), "WalkSettings()"), py::arg_v("profile", VelocityProfile::paper(), "VelocityProfile.paper()"),
-           py::keep_alive<1, 2>(),
+           "model"_a, "description"_a, py::arg_v("settings", WalkSettings(), "WalkSettings()"),
+           py::arg_v("profile", VelocityProfile::paper(), "VelocityProfile.paper()"), py::keep_alive<1, 2>(),
            "Args:\n    model: mujoco.MjModel; kept alive.\n    description: RobotDescription.\n    settings: "
            "WalkSettings.\n"
            "    profile: VelocityProfile; the paper's by default.\n\nRaises:\n    ModelError: the robot cannot be "
@@ -79,8 +79,10 @@ void bind_walking_controller(py::module_& m) {
           },
           "data"_a, "after_step1"_a = false, py::return_value_policy::copy,
           "Computes the torque for the state in `data`, writes data.ctrl, returns a copy of what was decided.\n\n"
-          "Args:\n    data: mujoco.MjData.\n    after_step1: mj_step1 (or mj_forward) has just run for this state, so that "
-          "`data` holds kinematics,\n        inertia and bias forces already; the torque has the same bits, in half the "
+          "Args:\n    data: mujoco.MjData.\n    after_step1: mj_step1 (or mj_forward) has just run for this state, so "
+          "that "
+          "`data` holds kinematics,\n        inertia and bias forces already; the torque has the same bits, in half "
+          "the "
           "time.\n\n"
           "Raises:\n    InputError: the state is not finite, its terms belong to another, or reset() was not called; "
           "nothing is\n        changed.")
@@ -129,9 +131,11 @@ void bind_walking_controller(py::module_& m) {
             return out;
           },
           "duration"_a = 3.2, "dt"_a = 0.01,
-          "Footsteps, COM and ZMP ahead of time, for a robot that does as it is told, from where the last reset was.\n\n"
+          "Footsteps, COM and ZMP ahead of time, for a robot that does as it is told, from where the last reset "
+          "was.\n\n"
           "Args:\n    duration: [s].\n    dt: time step of the plan [s].\n\n"
-          "Returns:\n    dict: t (T,) [s], com, dcom, zmp (T, 2) [m, m/s], W; support (T,), +1 left, -1 right; steps, a "
+          "Returns:\n    dict: t (T,) [s], com, dcom, zmp (T, 2) [m, m/s], W; support (T,), +1 left, -1 right; steps, "
+          "a "
           "list of dicts\n    foot, lift_off, touch_down [s], place (x, y, yaw).\n\nRaises:\n    InputError.")
       .def(
           "zmp_bounds",

@@ -20,7 +20,8 @@ double microseconds(Body&& body) {
 
 WholeBodyOptions options_of(const WalkingController& controller, bool textbook) {
   const WalkSettings& s = controller.settings();
-  return {textbook, s.posture_task, s.wrench_distribution, s.contact_damping, s.singular_damping, s.singular_pivot, s.kernel};
+  return {textbook,         s.posture_task, s.wrench_distribution, s.contact_damping, s.singular_damping,
+          s.singular_pivot, s.kernel};
 }
 
 double relative(const ConstVecRef& a, const ConstVecRef& b) { return (a - b).norm() / std::max(b.norm(), 1e-12); }
@@ -47,8 +48,8 @@ std::vector<Column> CycleBenchmark::run(double duration, int textbook_every,
   const mjModel* m = robot_.model();
   mjData* d = data_.get();
   std::vector<Column> columns;
-  for (const char* name : {"phase", "in_loop", "from_scratch", "step", "terms", "terms_from_scratch", "algebra", "iteration",
-                           "other", "textbook", "difference"})
+  for (const char* name : {"phase", "in_loop", "from_scratch", "step", "terms", "terms_from_scratch", "algebra",
+                           "iteration", "other", "textbook", "difference"})
     columns.push_back({name, 1, {}});
   controller_.reset(d);
   from_state_.reset(d);
@@ -88,13 +89,13 @@ std::vector<Column> CycleBenchmark::run(double duration, int textbook_every,
       difference = std::max(relative(fast.tau, printed.tau), relative(direct_.zmp(f_xy), textbook_.zmp(f_xy)));
       for (const Side side : kSides)
         if (controller_.stance().standing[side])
-          difference =
-              std::max(difference, relative(fast.f_c.segment<6>(6 * side), printed.f_c.segment<6>(6 * side)));
+          difference = std::max(difference, relative(fast.f_c.segment<6>(6 * side), printed.f_c.segment<6>(6 * side)));
     }
     step += microseconds([&] { mj_step2(m, d); });
     if (out.fresh) {
-      const double row[] = {double(out.phase), in_loop, from_scratch, step, terms, terms_from_scratch, algebra, iteration,
-                            in_loop - terms - algebra, textbook, difference};
+      const double row[] = {
+          double(out.phase),         in_loop,  from_scratch, step, terms, terms_from_scratch, algebra, iteration,
+          in_loop - terms - algebra, textbook, difference};
       for (std::size_t i = 0; i < columns.size(); ++i) columns[i].values.push_back(row[i]);
     }
     if (out.fell != Fall::kNone) break;

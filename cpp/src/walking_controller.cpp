@@ -79,8 +79,7 @@ WalkingController::WalkingController(const mjModel* model, const RobotDescriptio
       tracker_(settings_.tracker, settings_.tracker_gain, settings_.tracker_time, settings_.tracker_deadband),
       whole_body_(robot_.nv(), robot_.leg_joints(),
                   {settings_.textbook, settings_.posture_task, settings_.wrench_distribution, settings_.contact_damping,
-                   settings_.singular_damping, settings_.singular_pivot,
-                   settings_.kernel}),
+                   settings_.singular_damping, settings_.singular_pivot, settings_.kernel}),
       estimator_(robot_.nv()),
       bounds_{bounds_of(robot_, kLeft, settings_), bounds_of(robot_, kRight, settings_)},
       R_HB_(Mat3::Identity()),
@@ -231,8 +230,8 @@ const CycleOutput& WalkingController::update(mjData* data, Terms terms) {
   const double t = data->time - t_start_;
   const bool measured = settings_.com_state == ComState::kMeasured;
 
-  const GaitInput in = gait_input(t, measured ? Vec2(dyn.com.head<2>()) : com_des_,
-                                  measured ? Vec2(dyn.dcom.head<2>()) : dcom_des_);
+  const GaitInput in =
+      gait_input(t, measured ? Vec2(dyn.com.head<2>()) : com_des_, measured ? Vec2(dyn.dcom.head<2>()) : dcom_des_);
   const GaitOutput& gait = gait_.update(in);
   R_S_ = rotation_z(gait.heading).topLeftCorner<2, 2>();
   const auto to_S = [&](const Vec2& p) { return Vec2(R_S_.transpose() * p); };

@@ -296,9 +296,7 @@ def _command(loaded: Any, duration: float, progress: Progress) -> Result:
         with tempfile.TemporaryDirectory() as folder:
             words = ["walk", "--duration", "8", "--no-figures", "--out", str(Path(folder) / "walk")]
             start = time.perf_counter()
-            subprocess.run(
-                [sys.executable, "-m", "zmpwalk", *words], check=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE
-            )
+            subprocess.run([sys.executable, "-m", "zmpwalk", *words], check=True, capture_output=True)
             times.append(time.perf_counter() - start)
     return {"min_s": min(times), "median_s": float(np.median(times))}
 

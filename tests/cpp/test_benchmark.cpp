@@ -3,6 +3,7 @@
 #include "testing.hpp"
 #include "walk.hpp"
 #include "zmpwalk/benchmark.hpp"
+#include "zmpwalk/math/error.hpp"
 
 using namespace zmpwalk;
 using namespace zmpwalk::testing;

@@ -19,7 +19,8 @@ void inertia(const mjModel* m, const mjData* d, int dof, RowMatX& A) {
     for (int j = dof + i; j >= 0; j = m->dof_parentid[j], ++entry) A(i, j - dof) = A(j - dof, i) = *entry;
 #else  // M: rows of the lower triangle
     const int row = dof + i, first = m->M_rowadr[row];
-    for (int k = first; k < first + m->M_rownnz[row]; ++k) A(i, m->M_colind[k] - dof) = A(m->M_colind[k] - dof, i) = d->M[k];
+    for (int k = first; k < first + m->M_rownnz[row]; ++k)
+      A(i, m->M_colind[k] - dof) = A(m->M_colind[k] - dof, i) = d->M[k];
 #endif
   }
 }

@@ -147,8 +147,9 @@ void Robot::read(const mjData* d) {
 void Robot::require_computed(const mjData* d) const {
   for (int i = 0; i < 3; ++i)
     if (d->xpos[3 * root_body_ + i] != d->qpos[qpos0_ + i])
-      throw InputError("data's computed terms belong to another state than its qpos: call mj_step1 or mj_forward before "
-                       "this update, or let it compute them itself");
+      throw InputError(
+          "data's computed terms belong to another state than its qpos: call mj_step1 or mj_forward before "
+          "this update, or let it compute them itself");
 }
 
 void Robot::read_computed(const mjData* d) {

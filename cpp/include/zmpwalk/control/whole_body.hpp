@@ -108,9 +108,9 @@ class WholeBodyController {
   Stance stance_;
   bool damped_ = false;
   const Kernel* kernel_;
-  VecX known_;       // entries of ddq that the trunk and posture tasks fix
-  Affine ddq_, w_;   // w = A ddq + h
-  Mat3 F_, M_;       // total wrench about the support sole, columns as in Affine
+  VecX known_;      // entries of ddq that the trunk and posture tasks fix
+  Affine ddq_, w_;  // w = A ddq + h
+  Mat3 F_, M_;      // total wrench about the support sole, columns as in Affine
   Vec2 zmp_0_ = Vec2::Zero();
   Mat2 zmp_slope_ = Mat2::Zero();
   MatX3 tau_, f_c_;  // textbook path: torque and contact wrench, columns as in Affine
