@@ -10,7 +10,8 @@ import pytest
 import zmpwalk
 from zmpwalk import ModelError, cli
 from zmpwalk.description import ROBOTS, description_to_dict
-from zmpwalk.proposal import appraise, inscribed_rectangle, is_marked, propose, write_description
+from zmpwalk.proposal import appraise, is_marked, propose, write_description
+from zmpwalk.proposal.soles import inscribed_rectangle
 
 SHARED = ("robotis_op3", "unitree_g1", "fourier_n1")
 FROUDE = 0.06
@@ -128,7 +129,7 @@ def test_inspect_writes_a_file_that_walk_reads(tmp_path, capsys):
     assert description_to_dict(description) == {**expected, "name": "bare"}
     assert cli.main([*words[:2], "--json"]) == 0
     table = json.loads(capsys.readouterr().out)
-    assert table["roles"] == {"left leg": 6, "right leg": 6, "posture": 13}
+    assert table["roles"] == {"left leg": 6, "right leg": 6, "waist": 1, "left arm": 6, "right arm": 6}
     assert len(table["remarks"]) == len(set(table["remarks"])) == 1
     assert cli.main([*words[:3], str(tmp_path / "nowhere" / "robot.json")]) == 2
     assert "cannot write there" in capsys.readouterr().err
