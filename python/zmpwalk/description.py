@@ -12,6 +12,7 @@ import numpy as np
 
 from ._core import Foot, RobotDescription
 from .errors import InputError, ModelError
+from .menagerie import PREFIX, menagerie_file
 
 __all__ = [
     "Foot",
@@ -53,6 +54,7 @@ def load_robot(robot: Robot) -> tuple[mujoco.MjModel, RobotDescription]:
             - a name of `available_robots()`;
             - a path to a `robot.json` (or the folder that holds one): its "scene" is loaded, or its "model" where it
               has no scene;
+            - "menagerie:NAME", a robot of MuJoCo Menagerie (see `zmpwalk.menagerie`);
             - a path to an MJCF `.xml`, or an `MjModel`, in which `describe` finds a robot;
             - a pair (`.xml` path or `MjModel`, `RobotDescription` or `robot.json` path or None).
 
@@ -65,6 +67,24 @@ def load_robot(robot: Robot) -> tuple[mujoco.MjModel, RobotDescription]:
         ModelError: MuJoCo refuses the model, or the model lacks what the description names.
 
     Usage: `model, description = zmpwalk.load_robot("mahru")`
+    """
+    model, description, name = read_robot(robot)
+    if description is None:
+        description = renamed(describe(model), name)
+    description.check(model)
+    return model, description
+
+
+def read_robot(robot: Robot) -> tuple[mujoco.MjModel, RobotDescription | None, str]:
+    """A robot's model, the description that comes with it, if one does, and what its file is called.
+
+    Args:
+        robot: see `load_robot`.
+
+    Raises:
+        InputError, ModelError: as `load_robot`; the description is not compared with the model.
+
+    Usage: `model, description, name = read_robot("bare.xml")`
     """
     description, name = None, ""
     if isinstance(robot, (tuple, list)):
@@ -83,36 +103,43 @@ def load_robot(robot: Robot) -> tuple[mujoco.MjModel, RobotDescription]:
             plain = _read_json(path)
             description = description or description_from_dict(plain, str(path))
             path = path.parent / _model_file(plain, path)
-        model, name = _load_xml(path), path.stem
+        name = str(robot)[len(PREFIX) :].partition("/")[0] if str(robot).startswith(PREFIX) else path.stem
+        model = _load_xml(path)
     else:
         raise InputError(
             f"a robot is a name, a path, a model or a pair (model, description), not {type(robot).__name__}"
         )
-    if description is None:
-        found = description_to_dict(describe(model))
-        return model, description_from_dict({**found, "name": name or found["name"]})
-    description.check(model)
-    return model, description
+    return model, description, name
 
 
-def robot_file(robot: str | os.PathLike) -> tuple[Path, bool]:
-    """The MJCF that `load_robot` loads for a name or a path, and whether a `robot.json` describes the robot.
+def renamed(description: RobotDescription, name: str) -> RobotDescription:
+    """The same with another name, unless that is empty.
+
+    Usage: `renamed(description, "nao")`
+    """
+    return description_from_dict({**description_to_dict(description), "name": name}) if name else description
+
+
+def robot_file(robot: str | os.PathLike) -> Path:
+    """The MJCF that `load_robot` loads for a name or a path.
 
     Raises:
         InputError: as `load_robot`.
 
-    Usage: `robot_file("mahru")[0].parent`
+    Usage: `robot_file("mahru").parent`
     """
     path = _find(robot)
     if path.suffix.lower() != ".json":
-        return path, False
-    return path.parent / _model_file(_read_json(path), path), True
+        return path
+    return path.parent / _model_file(_read_json(path), path)
 
 
 def _find(robot: str | os.PathLike) -> Path:
     bundled = _bundled()
     if robot in bundled:
         return bundled[str(robot)]
+    if str(robot).startswith(PREFIX):
+        return menagerie_file(str(robot))
     path = Path(robot).expanduser()
     if path.is_dir() and (path / "robot.json").is_file():
         return path / "robot.json"

@@ -230,7 +230,7 @@ def test_our_own_fault_is_exit_1_and_says_so(monkeypatch, capsys):
     def broken(robot):
         raise ZeroDivisionError("inside")
 
-    monkeypatch.setattr("zmpwalk.description.load_robot", broken)
+    monkeypatch.setattr("zmpwalk.proposal.examine", broken)
     assert cli.main(["inspect", "mahru"]) == 1
     error = capsys.readouterr().err
     assert "ZeroDivisionError: inside" in error

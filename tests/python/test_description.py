@@ -202,7 +202,7 @@ def test_inspection_counts_the_paper_s_25_joints(mahru):
     assert found["roles"] == {"left leg": 6, "right leg": 6, "waist": 1, "left arm": 6, "right arm": 6}
     assert found["mass_kg"] == pytest.approx(mahru[0].body_mass.sum())
     assert found["T_c_s"] == pytest.approx(np.sqrt(found["com_height_m"] / 9.81), rel=1e-3)
-    assert [joint["turns"] for joint in found["joints"] if joint["name"] == "l_knee"] == ["pitch"]
+    assert [joint["turns"] for joint in found["joints"] if joint["name"] == "l_knee"] == ["knee pitch"]
     json.dumps(found, allow_nan=False)
 
 

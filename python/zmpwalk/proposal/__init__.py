@@ -17,7 +17,7 @@ import numpy as np
 
 from .. import _core
 from .._core import Foot, RobotDescription
-from ..description import description_to_dict
+from ..description import Robot, description_to_dict, read_robot, renamed
 from ..errors import Error, InputError, ModelError
 from . import refusals
 from .legs import find_robot
@@ -27,7 +27,7 @@ from .stand import stand
 from .table import inspect_robot
 from .tree import GEOM, JNT, OBJ, Found, Tree, body_label, find_id, name_of
 
-__all__ = ["Proposal", "appraise", "is_marked", "propose", "write_description"]
+__all__ = ["Proposal", "appraise", "examine", "is_marked", "propose", "write_description"]
 
 
 @dataclass(frozen=True)
@@ -71,6 +71,26 @@ def propose(model: mujoco.MjModel) -> Proposal:
         description, remarks = _describe(robot), robot.remarks
         description.check(model)
     return appraise(model, description, remarks)
+
+
+def examine(robot: Robot) -> tuple[mujoco.MjModel, Proposal]:
+    """What `load_robot` loads, with the table and remarks of `propose`.
+
+    Args:
+        robot: see `load_robot`.
+
+    Raises:
+        InputError, ModelError: as `load_robot`.
+
+    Usage: `model, proposal = examine("bare.xml")`
+    """
+    model, description, name = read_robot(robot)
+    if description is not None:
+        description.check(model)
+        return model, appraise(model, description)
+    found = propose(model)
+    table = {**found.table, "name": name or found.table["name"]}
+    return model, Proposal(renamed(found.description, name), found.remarks, table)
 
 
 def appraise(model: mujoco.MjModel, description: RobotDescription, remarks: list[str] | None = None) -> Proposal:

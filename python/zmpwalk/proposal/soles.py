@@ -67,7 +67,7 @@ def sole_points(
         heights = points @ up
         extent = np.linalg.norm(np.ptp(points - np.outer(heights, up), axis=0))
         points = points[heights <= heights.min() + PLANE * extent]
-        area = _area(_hull(points @ _across(up)))
+        area = _area(convex_hull(points @ _across(up)))
         if area > 1.02 * best[2]:  # the body's own axis unless the other is better
             best = points, up, area
     return best
@@ -81,7 +81,7 @@ def _across(up: np.ndarray) -> np.ndarray:
     return np.stack([x, np.cross(up, x)], axis=1)
 
 
-def _hull(points: np.ndarray) -> np.ndarray:
+def convex_hull(points: np.ndarray) -> np.ndarray:
     """Convex hull (n, 2) of points in the plane, counter-clockwise."""
     ordered = sorted(set(map(tuple, np.round(points, 9))))
     if len(ordered) < 3:
@@ -119,7 +119,7 @@ def inscribed_rectangle(points: np.ndarray) -> tuple[float, float, float, float]
 
     Usage: `inscribed_rectangle(corners)`
     """
-    hull = _hull(points)
+    hull = convex_hull(points)
     if _area(hull) < 1e-9:
         x, y = points.mean(axis=0) if len(points) else (0.0, 0.0)
         return x, x, y, y
@@ -164,7 +164,7 @@ def remark_soles(robot: Found) -> None:
             f"the soles differ: left {a.length:.3f} x {a.width:.3f} m, right {b.length:.3f} x {b.width:.3f} m"
         )
     for word, side in zip(("left", "right"), robot.sides):
-        outline = _area(_hull((side.corners @ side.R)[:, :2]))
+        outline = _area(convex_hull((side.corners @ side.R)[:, :2]))
         if side.length * side.width < 0.93 * outline:
             share = 100 * side.length * side.width / outline
             robot.remarks.append(

@@ -13,6 +13,7 @@ from ..description import joint_torque_limits, sole_pose
 from .tree import OBJ, Tree, find_id, name_of
 
 TURNS = ("roll", "pitch", "yaw")  # about a sole's x, y, z
+LEG = ["hip", "hip", "hip", "knee", "ankle", "ankle"]  # parts that a leg's joints turn
 
 
 def inspect_robot(model: mujoco.MjModel, description: RobotDescription) -> dict[str, Any]:
@@ -24,8 +25,9 @@ def inspect_robot(model: mujoco.MjModel, description: RobotDescription) -> dict[
     Returns:
         Plain values: name, base, mass_kg, com_height_m (over the lower sole, at the start pose), T_c_s, feet (where
         they stand), thigh_m, shank_m, leg_share (hip to ankle at the start pose, of the straight leg), roles (how many
-        joints each), joints (role: left or right leg or arm, waist, head, toes; turns: about which of the sole's axes,
-        at the start pose; stand_rad, range_rad, torque_limit_Nm, None where there is no limit).
+        joints each), joints (role: left or right leg or arm, waist, head, toes; turns: roll, pitch or yaw in the
+        sole's axes at the start pose, for a leg after the part, as "hip roll"; stand_rad, range_rad and
+        torque_limit_Nm, None where there is no limit).
 
     Raises:
         ModelError: the model lacks what the description names.
@@ -40,13 +42,15 @@ def inspect_robot(model: mujoco.MjModel, description: RobotDescription) -> dict[
     height = float(data.subtree_com[root][2] - min(foot["sole_center_m"][2] for foot in feet.values()))
     limits = joint_torque_limits(model)
     axes = sole_pose(model, data, description.left)[1]
+    parts = dict(zip([*description.left.leg_joints, *description.right.leg_joints], 2 * LEG))
     joints: list[dict[str, Any]] = []
     for j, role in _roles(model, data, description).items():
-        limit = limits.get(j, np.inf)
+        limit, name = limits.get(j, np.inf), name_of(model, OBJ.mjOBJ_JOINT, j) or f"joint {j}"
+        turns = TURNS[int(np.argmax(np.abs(data.xaxis[j] @ axes)))]
         joints.append({
-            "name": name_of(model, OBJ.mjOBJ_JOINT, j) or f"joint {j}",
+            "name": name,
             "role": role,
-            "turns": TURNS[int(np.argmax(np.abs(data.xaxis[j] @ axes)))],
+            "turns": f"{parts[name]} {turns}" if name in parts else turns,
             "stand_rad": float(data.qpos[model.jnt_qposadr[j]]),
             "range_rad": model.jnt_range[j].tolist() if model.jnt_limited[j] else None,
             "torque_limit_Nm": limit if np.isfinite(limit) else None,
