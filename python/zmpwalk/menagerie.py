@@ -39,13 +39,26 @@ def menagerie_file(robot: str) -> Path:
         ) from None
     name, _, entry = robot[len(PREFIX) :].partition("/")
     try:
-        return Path(mujoco_menagerie.get(name).xml(entry or None))
+        found = mujoco_menagerie.get(name)
+        found.entry(entry or None)  # an unknown one is told without a download
+        return Path(found.xml(entry or None))
+    except mujoco_menagerie.UnknownRobotError as error:
+        raise InputError(f"{robot}: {error} Its humanoids are {', '.join(menagerie_humanoids())}") from None
+    except mujoco_menagerie.DownloadError as error:
+        help = "set MENAGERIE_ROOT to a checkout of MuJoCo Menagerie to do without"
+        raise InputError(f"{robot}: cannot be downloaded ({error}); {help}") from None
     except (mujoco_menagerie.MenagerieError, OSError) as error:
-        raise InputError(f"{robot}: {' '.join(str(error).split())}{_humanoids(error, mujoco_menagerie)}") from None
+        raise InputError(f"{robot}: {error}") from None
 
 
-def _humanoids(error: Exception, package: object) -> str:
-    if not isinstance(error, package.UnknownRobotError):  # type: ignore[attr-defined]
-        return ""
-    known = [robot.name for kind in ("humanoid", "biped") for robot in package.robots(kind)]  # type: ignore[attr-defined]
-    return f" Its humanoids are {', '.join(known)}"
+def menagerie_humanoids() -> list[str]:
+    """Names of Menagerie's robots on two legs, each good after `PREFIX`.
+
+    Raises:
+        ImportError: the package mujoco-menagerie is not installed.
+
+    Usage: `[load_robot(PREFIX + name) for name in menagerie_humanoids()]`
+    """
+    import mujoco_menagerie
+
+    return [robot.name for kind in ("humanoid", "biped") for robot in mujoco_menagerie.robots(kind)]

@@ -23,7 +23,7 @@ from . import refusals
 from .legs import find_robot
 from .remarks import find_remarks
 from .soles import remark_soles
-from .stand import stand
+from .stand import find_stand
 from .table import inspect_robot
 from .tree import GEOM, JNT, OBJ, Found, Tree, body_label, find_id, name_of
 
@@ -169,7 +169,7 @@ def _describe(robot: Found) -> RobotDescription:
                     f"joint '{name_of(model, kind, i)}' is a ball joint; zmpwalk drives hinges and slides only"
                 )
     remark_soles(robot)
-    data, keyframe = stand(robot)
+    data, keyframe = find_stand(robot)
     root = joints[0]
     base = data.qpos[model.jnt_qposadr[root] :][:7]
     feet = [

@@ -8,11 +8,11 @@ import numpy as np
 from ..errors import ModelError
 from .tree import JNT, OBJ, UP, Found, Side, body_label, joint_names, name_of
 
-BENT = 0.935  # hip to ankle at the stand, as a share of the straight leg: knees at about 0.73 rad
+BENT = 0.915  # hip to ankle at the stand, of the straight leg: knees at 0.83 rad; straighter ones take more torque
 ARM_OUT = 0.3  # of a lowered arm from the vertical [rad]
 
 
-def stand(robot: Found) -> tuple[mujoco.MjData, str]:
+def find_stand(robot: Found) -> tuple[mujoco.MjData, str]:
     """A pose with flat level soles on z = 0, knees bent, COM over their middle; and the keyframe that it is, or ''."""
     model = robot.tree.model
     keyframe = _best_keyframe(robot)
