@@ -537,7 +537,7 @@ def _print_inspection(found: dict[str, Any]) -> None:
     facts.add_column()
     base, bounds = found["base"], found["zmp_bounds_m"]
     facts.add_row("robot", found["name"])
-    facts.add_row("base", f"body {base['body']}, free joint {base['joint']}")
+    facts.add_row("base", f"body {base['body']}, free joint {base['joint'] or 'without a name'}")
     facts.add_row("mass", f"{found['mass_kg']:.2f} kg")
     facts.add_row("COM height", f"{found['com_height_m']:.3f} m over the soles; T_c = {found['T_c_s']:.4f} s")
     for side in ("left", "right"):

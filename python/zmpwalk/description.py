@@ -277,7 +277,7 @@ def description_from_dict(plain: dict[str, Any], source: str = "description") ->
             raise InputError(f"{source}: key 'stand_joints.{joint}' is {angle!r}; it must be an angle [rad]")
     return RobotDescription(
         name=reader.value("name", str, "a name", Path(source).parent.name or "robot"),
-        root_joint=reader.value("root_joint", str, "the name of the free joint"),
+        root_joint=reader.value("root_joint", str, "the name of the free joint, or empty"),
         left=feet[0],
         right=feet[1],
         stand_joints={joint: float(angle) for joint, angle in joints.items()},

@@ -342,8 +342,9 @@ def test_arms_held_out_are_let_down():
     assert sum("let down" in remark for remark in proposal.remarks) == 2
 
 
-def test_zero_speed_stand_of_the_proposal_holds():
-    model = mujoco.MjModel.from_xml_string(biped())
+@pytest.mark.parametrize("base", ['<freejoint name="root"/>', "<freejoint/>"])
+def test_zero_speed_stand_of_the_proposal_holds(base):
+    model = mujoco.MjModel.from_xml_string(biped(base=base))
     still = zmpwalk.VelocityProfile.constant(0.0)
     trace = zmpwalk.simulate((model, zmpwalk.describe(model)), profile=still, duration=4.0)
     assert not trace.meta["fell"]
@@ -382,7 +383,7 @@ CANNOT = {
     "a coupled knee": (biped(more=COUPLED), "equality 'cam' couples leg joint"),
     "a knee on a tendon": (biped(more=TENDON, actuators=NO_KNEE + '<motor tendon="cable" name="winch"/>'), "'winch' drives leg joint 'l_knee' through a tendon"),
     "a knee without motor": (biped(actuators=NO_KNEE), "'l_knee' has no actuator"),
-    "a base without a name": (biped(base="<freejoint/>"), "has no name"),
+    "a foot without a name": (biped().replace('<body name="l_ankle_roll"', "<body"), "has no name"),
     "two robots": (
         biped(more="<worldbody>" + re.search(r'<body name="trunk".*</body>(?=</worldbody>)', biped(), re.DOTALL).group(0).replace('"0 0 1"', '"0 3 1"', 1).replace('="l_', '="b_l_').replace('="r_', '="b_r_').replace('"trunk"', '"other"').replace('"root"', '"b_root"') + "</worldbody>", actuators=MOTORS + MOTORS.replace('"l_', '"b_l_').replace('"r_', '"b_r_')),
         "2 robots with two legs",

@@ -158,7 +158,7 @@ def write_description(path: str | os.PathLike, model_file: str | os.PathLike, pr
 def _describe(robot: Found) -> RobotDescription:
     model, tree = robot.tree.model, robot.tree
     joints = [j for j in range(model.njnt) if model.jnt_bodyid[j] in tree.bodies]
-    for kind, ids in ((OBJ.mjOBJ_JOINT, joints), (OBJ.mjOBJ_BODY, [side.link for side in robot.sides])):
+    for kind, ids in ((OBJ.mjOBJ_JOINT, joints[1:]), (OBJ.mjOBJ_BODY, [side.link for side in robot.sides])):
         for i in ids:
             if not name_of(model, kind, i):
                 what = "joint" if kind == OBJ.mjOBJ_JOINT else "foot body"

@@ -17,7 +17,7 @@ from ..errors import Error
 from ..plot import BOUND, COM, FAINT, SOLE, STYLE, WIDTH, WalkFigure
 from . import Proposal
 from .soles import convex_hull, sole_points, touching_geoms
-from .tree import OBJ, Tree, find_id
+from .tree import OBJ, Tree, find_id, root_body
 
 VIEWS = {"from the front": 180.0, "from its left": -90.0}  # azimuth of the camera, robot facing x [deg]
 PIXELS = 320, 640  # of a view, width and height
@@ -78,7 +78,7 @@ def _soles(ax: Axes, model: mujoco.MjModel, data: mujoco.MjData, proposal: Propo
     feet = {"left": description.left, "right": description.right}
     origin = np.mean([sole_pose(model, data, foot)[0] for foot in feet.values()], axis=0)
     axes = sole_pose(model, data, description.left)[1][:, :2]
-    com = data.subtree_com[model.jnt_bodyid[find_id(model, OBJ.mjOBJ_JOINT, description.root_joint)]]
+    com = data.subtree_com[root_body(model, description)]
 
     def plan(points: np.ndarray) -> np.ndarray:
         return (np.asarray(points) - origin) @ axes

@@ -7,7 +7,7 @@ import numpy as np
 
 from .._core import RobotDescription
 from ..description import joint_torque_limits, sole_pose
-from .tree import EQ, GEOM, OBJ, Tree, body_label, find_id, joint_names, name_of, tendon_joints
+from .tree import EQ, GEOM, OBJ, Tree, body_label, find_id, joint_names, name_of, root_body, tendon_joints
 
 
 def find_remarks(model: mujoco.MjModel, description: RobotDescription) -> list[str]:
@@ -15,7 +15,7 @@ def find_remarks(model: mujoco.MjModel, description: RobotDescription) -> list[s
     remarks = []
     data = mujoco.MjData(model)
     description.place(model, data)
-    root = int(model.jnt_bodyid[find_id(model, OBJ.mjOBJ_JOINT, description.root_joint)])
+    root = root_body(model, description)
     tree = Tree(model, root)
     limit = joint_torque_limits(model)
     names = list(description.left.leg_joints) + list(description.right.leg_joints)

@@ -10,7 +10,7 @@ import numpy as np
 
 from .._core import Foot, RobotDescription
 from ..description import joint_torque_limits, sole_pose
-from .tree import OBJ, Tree, find_id, name_of
+from .tree import JNT, OBJ, Tree, find_id, name_of, root_body
 
 TURNS = ("roll", "pitch", "yaw")  # about a sole's x, y, z
 LEG = ["hip", "hip", "hip", "knee", "ankle", "ankle"]  # parts that a leg's joints turn
@@ -36,8 +36,7 @@ def inspect_robot(model: mujoco.MjModel, description: RobotDescription) -> dict[
     """
     data = mujoco.MjData(model)
     description.place(model, data)
-    root_joint = find_id(model, OBJ.mjOBJ_JOINT, description.root_joint)
-    root = int(model.jnt_bodyid[root_joint])
+    root = root_body(model, description)
     feet = {side: _foot(model, data, getattr(description, side)) for side in ("left", "right")}
     height = float(data.subtree_com[root][2] - min(foot["sole_center_m"][2] for foot in feet.values()))
     limits = joint_torque_limits(model)
@@ -112,5 +111,5 @@ def _roles(model: mujoco.MjModel, data: mujoco.MjData, description: RobotDescrip
     return {
         j: legs.get(name_of(model, OBJ.mjOBJ_JOINT, j), roles.get(int(model.jnt_bodyid[j]), "waist"))
         for j in range(model.njnt)
-        if int(model.jnt_bodyid[j]) in tree.bodies and name_of(model, OBJ.mjOBJ_JOINT, j) != description.root_joint
+        if int(model.jnt_bodyid[j]) in tree.bodies and model.jnt_type[j] != JNT.mjJNT_FREE
     }

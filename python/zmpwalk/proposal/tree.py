@@ -9,6 +9,8 @@ from typing import Any
 import mujoco
 import numpy as np
 
+from .._core import RobotDescription
+
 UP = np.array([0.0, 0.0, 1.0])
 OBJ = mujoco.mjtObj
 
@@ -96,6 +98,11 @@ def name_of(model: mujoco.MjModel, kind: Any, index: int) -> str:
 
 def find_id(model: mujoco.MjModel, kind: Any, name: str) -> int:
     return int(mujoco.mj_name2id(model, kind, name))
+
+
+def root_body(model: mujoco.MjModel, description: RobotDescription) -> int:
+    """The floating base of a robot whose description fits the model."""
+    return int(model.body_rootid[find_id(model, OBJ.mjOBJ_BODY, description.left.body)])
 
 
 def body_label(model: mujoco.MjModel, body: int) -> str:
