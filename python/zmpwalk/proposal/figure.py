@@ -80,7 +80,7 @@ def _soles(ax: Axes, model: mujoco.MjModel, data: mujoco.MjData, proposal: Propo
     axes = sole_pose(model, data, description.left)[1][:, :2]
     com = data.subtree_com[root_body(model, description)]
 
-    def plan(points: np.ndarray) -> np.ndarray:
+    def plan(points: Any) -> np.ndarray:
         return (np.asarray(points) - origin) @ axes
 
     def fill(points: np.ndarray, **look: Any) -> None:

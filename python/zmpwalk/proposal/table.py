@@ -89,8 +89,8 @@ def _leg(model: mujoco.MjModel, data: mujoco.MjData, foot: Foot) -> tuple[float,
     turn = [abs(data.xaxis[j] @ axes[:, 1]) for j in joints]
     three = joints[int(np.argmax(turn[:3]))], joints[3], joints[4 + int(np.argmax(turn[4:]))]
     hip, knee, ankle = (data.xanchor[j] - axes[:, 1] * (data.xanchor[j] @ axes[:, 1]) for j in three)
-    thigh, shank = np.linalg.norm(knee - hip), np.linalg.norm(ankle - knee)
-    return float(thigh), float(shank), float(np.linalg.norm(ankle - hip) / max(thigh + shank, 1e-9))
+    thigh, shank, whole = (float(np.linalg.norm(bone)) for bone in (knee - hip, ankle - knee, ankle - hip))
+    return thigh, shank, whole / max(thigh + shank, 1e-9)
 
 
 def _roles(model: mujoco.MjModel, data: mujoco.MjData, description: RobotDescription) -> dict[int, str]:
@@ -99,7 +99,7 @@ def _roles(model: mujoco.MjModel, data: mujoco.MjData, description: RobotDescrip
     feet = {word: int(model.body_weldid[find_id(model, OBJ.mjOBJ_BODY, foot.body)]) for word, foot in sides.items()}
     tree = Tree(model, feet["left"])
     left = sole_pose(model, data, description.left)[1][:, 1]
-    roles = {}
+    roles: dict[int, str] = {}
     limbs = tree.limbs({link for foot in feet.values() for link in tree.chain(foot)})
     for limb in limbs:
         side = (data.subtree_com[limb] - data.subtree_com[tree.root]) @ left
