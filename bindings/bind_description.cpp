@@ -37,7 +37,8 @@ void bind_description(py::module_& m) {
            py::kw_only(), "name"_a, "root_joint"_a, "left"_a, "right"_a, "stand_joints"_a, "stand_base_pos"_a,
            "stand_base_quat"_a = Eigen::Vector4d(1, 0, 0, 0), "stand_keyframe"_a = "")
       .def_readonly("name", &RobotDescription::name)
-      .def_readonly("root_joint", &RobotDescription::root_joint, "the free joint")
+      .def_readonly("root_joint", &RobotDescription::root_joint,
+                    "the free joint; empty where the model does not name it")
       .def_property_readonly("left", [](const RobotDescription& d) { return d.feet[kLeft]; })
       .def_property_readonly("right", [](const RobotDescription& d) { return d.feet[kRight]; })
       .def_readonly("stand_joints", &RobotDescription::stand_joints, "start posture by joint name [rad or m]")

@@ -620,7 +620,7 @@ class RobotDescription:
     @property
     def root_joint(self) -> str:
         """
-        the free joint
+        the free joint; empty where the model does not name it
         """
     @property
     def stand_base_pos(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:

@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any, Callable, Iterator
 
 import click
 
-from .errors import Error, InputError
+from .errors import Error, InputError, ModelError
 
 if TYPE_CHECKING:
     from .trace import Trace
@@ -32,7 +32,7 @@ FIGURE_FILES = tuple(
     f"fig{number}.png" for number in ("2_iteration", "4_tracking", "5_switch", "6_velocity", "7_sagittal", "8_lateral")
 )
 FOOTSTEPS = ("tied", "absolute", "paper", "printed")
-MISMATCH = 0.005  # of footsteps and planned velocity worth a warning [m/s]
+MISMATCH = 0.002  # of footsteps and planned velocity worth a warning [m/s]; 0.004 fells the literal law within 30 s
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -102,7 +102,10 @@ def cli() -> None:
 
 @cli.command()
 @click.option(
-    "--robot", default="mahru", show_default=True, help="A robot's name, or a path to a robot.json or an .xml."
+    "--robot",
+    default="mahru",
+    show_default=True,
+    help="A robot's name, menagerie:NAME, or a path to a robot.json or an .xml.",
 )
 @click.option(
     "--profile",
@@ -139,20 +142,22 @@ def walk(
     no_figures: bool,
 ) -> int:
     """Walk a robot in MuJoCo, then write trace, summary and figures."""
-    from .description import load_robot
     from .profiles import VelocityProfile
+    from .proposal import examine
     from .simulation import WalkingController, check_duration, run
 
     # Everything that can be wrong is found out before anything is written.
     velocity = VelocityProfile.from_spec(profile)
     duration = check_duration(duration)
     settings = _settings(law, footsteps, changes)
-    model, description = load_robot(robot)
-    name = robot if robot.isidentifier() else description.name
-    controller = WalkingController(model, description, settings, velocity)
+    model, found = examine(robot)
+    name = robot if robot.isidentifier() else found.description.name
+    controller = WalkingController(model, found.description, settings, velocity)
     mismatch = getattr(controller, "plan_mismatch", lambda duration: 0.0)(duration)
     out = out or Path("out") / f"{name}-{law}"
     with _folder(out) as (draft, deliver):
+        for remark in found.remarks:
+            print(f"zmpwalk: note: {remark}", file=sys.stderr)
         if abs(mismatch) > MISMATCH:
             kind = "faster" if mismatch > 0 else "slower"
             print(
@@ -481,23 +486,46 @@ def plot(trace: Path, out: Path | None, figures: tuple[str, ...], kind: str) -> 
 @click.argument("model")
 @click.option("--json", "as_json", is_flag=True, help="Print what was found as JSON.")
 @click.option("--write", type=click.Path(path_type=Path), metavar="FILE", help="Write it as a robot.json.")
-def inspect(model: str, as_json: bool, write: Path | None) -> int:
-    """Show what is found in MODEL: a robot's name, a robot.json, or any .xml with a robot on two legs."""
-    from .description import load_robot, robot_file
-    from .proposal import appraise, propose, write_description
+@click.option(
+    "--figure", type=click.Path(path_type=Path), metavar="FILE", help="Draw robot, soles and COM: .png, .pdf or .svg."
+)
+def inspect(model: str, as_json: bool, write: Path | None, figure: Path | None) -> int:
+    """Show what is found in MODEL: a robot's name, menagerie:NAME, a robot.json, or any .xml with a robot on two legs.
 
-    loaded, description = load_robot(model)
-    file, described = robot_file(model)
-    proposal = appraise(loaded, description, [] if described else propose(loaded).remarks)
+    Where it cannot walk: why, a line for each reason.
+    """
+    from .description import robot_file
+    from .proposal import examine, write_description
+
+    if figure is not None and figure.suffix.lower() not in (".png", ".pdf", ".svg"):
+        raise InputError(f"--figure {figure}: give a .png, .pdf or .svg")
+    try:
+        loaded, proposal = examine(model)
+    except ModelError as error:
+        for reason in error.reasons:
+            _complain(reason)
+        return BAD_INPUT
     if write is not None:
-        write_description(write, file, proposal)
+        write_description(write, robot_file(model), proposal)
+    if figure is not None:
+        _draw(figure, loaded, proposal)
     if as_json:
         click.echo(json.dumps(proposal.table, indent=2, allow_nan=False))
     else:
         _print_inspection(proposal.table)
-        if write is not None:
-            click.echo(f"\nwritten: {write}")
+        for written in filter(None, (write, figure)):
+            click.echo(f"\nwritten: {written}")
     return STOOD
+
+
+def _draw(path: Path, model: Any, proposal: Any) -> None:
+    from .proposal.figure import draw
+
+    figure = draw(model, proposal)
+    try:
+        figure.savefig(path)
+    except OSError as error:
+        raise InputError(f"{path}: cannot write there: {(error.strerror or str(error)).lower()}") from None
 
 
 def _print_inspection(found: dict[str, Any]) -> None:
@@ -505,11 +533,11 @@ def _print_inspection(found: dict[str, Any]) -> None:
 
     console = _console()
     facts = Table(box=None, show_header=False, pad_edge=False)
+    facts.add_column(no_wrap=True)
     facts.add_column()
-    facts.add_column()
-    base = found["base"]
+    base, bounds = found["base"], found["zmp_bounds_m"]
     facts.add_row("robot", found["name"])
-    facts.add_row("base", f"body {base['body']}, free joint {base['joint']}")
+    facts.add_row("base", f"body {base['body']}, free joint {base['joint'] or 'without a name'}")
     facts.add_row("mass", f"{found['mass_kg']:.2f} kg")
     facts.add_row("COM height", f"{found['com_height_m']:.3f} m over the soles; T_c = {found['T_c_s']:.4f} s")
     for side in ("left", "right"):
@@ -519,6 +547,9 @@ def _print_inspection(found: dict[str, Any]) -> None:
         facts.add_row(f"{side} foot", f"body {foot['body']}{site}")
         size = f"{foot['length_m']:.3f} × {foot['width_m']:.3f} m"
         facts.add_row(f"{side} sole", f"{size}, stands at x {x:+.3f}, y {y:+.3f} m")
+        if bounds:
+            (x0, y0), (x1, y1) = bounds[side]
+            facts.add_row("  ZMP within", f"x {x0:+.3f} .. {x1:+.3f}, y {y0:+.3f} .. {y1:+.3f} m of its centre")
     share = f"at the stand {100 * found['leg_share']:.0f} % of both"
     facts.add_row("legs", f"thigh {found['thigh_m']:.3f} m, shank {found['shank_m']:.3f} m, {share}")
     limit = found["speed_limit_mps"]
@@ -530,7 +561,7 @@ def _print_inspection(found: dict[str, Any]) -> None:
     console.print(facts)
     console.print()
     joints = Table(box=None, pad_edge=False)
-    for words in ("joint", "role", "turns"):
+    for words in ("joint", "part of", "turns"):
         joints.add_column(words, no_wrap=True)
     for numbers in ("stand [rad]", "range [rad]", "torque limit [N m]"):
         joints.add_column(numbers, justify="right", no_wrap=True)

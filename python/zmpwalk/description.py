@@ -12,6 +12,7 @@ import numpy as np
 
 from ._core import Foot, RobotDescription
 from .errors import InputError, ModelError
+from .menagerie import PREFIX, menagerie_file
 
 __all__ = [
     "Foot",
@@ -53,6 +54,7 @@ def load_robot(robot: Robot) -> tuple[mujoco.MjModel, RobotDescription]:
             - a name of `available_robots()`;
             - a path to a `robot.json` (or the folder that holds one): its "scene" is loaded, or its "model" where it
               has no scene;
+            - "menagerie:NAME", a robot of MuJoCo Menagerie (see `zmpwalk.menagerie`);
             - a path to an MJCF `.xml`, or an `MjModel`, in which `describe` finds a robot;
             - a pair (`.xml` path or `MjModel`, `RobotDescription` or `robot.json` path or None).
 
@@ -65,6 +67,24 @@ def load_robot(robot: Robot) -> tuple[mujoco.MjModel, RobotDescription]:
         ModelError: MuJoCo refuses the model, or the model lacks what the description names.
 
     Usage: `model, description = zmpwalk.load_robot("mahru")`
+    """
+    model, description, name = read_robot(robot)
+    if description is None:
+        description = renamed(describe(model), name)
+    description.check(model)
+    return model, description
+
+
+def read_robot(robot: Robot) -> tuple[mujoco.MjModel, RobotDescription | None, str]:
+    """A robot's model, the description that comes with it, if one does, and what its file is called.
+
+    Args:
+        robot: see `load_robot`.
+
+    Raises:
+        InputError, ModelError: as `load_robot`; the description is not compared with the model.
+
+    Usage: `model, description, name = read_robot("bare.xml")`
     """
     description, name = None, ""
     if isinstance(robot, (tuple, list)):
@@ -83,36 +103,43 @@ def load_robot(robot: Robot) -> tuple[mujoco.MjModel, RobotDescription]:
             plain = _read_json(path)
             description = description or description_from_dict(plain, str(path))
             path = path.parent / _model_file(plain, path)
-        model, name = _load_xml(path), path.stem
+        name = str(robot)[len(PREFIX) :].partition("/")[0] if str(robot).startswith(PREFIX) else path.stem
+        model = _load_xml(path)
     else:
         raise InputError(
             f"a robot is a name, a path, a model or a pair (model, description), not {type(robot).__name__}"
         )
-    if description is None:
-        found = description_to_dict(describe(model))
-        return model, description_from_dict({**found, "name": name or found["name"]})
-    description.check(model)
-    return model, description
+    return model, description, name
 
 
-def robot_file(robot: str | os.PathLike) -> tuple[Path, bool]:
-    """The MJCF that `load_robot` loads for a name or a path, and whether a `robot.json` describes the robot.
+def renamed(description: RobotDescription, name: str) -> RobotDescription:
+    """The same with another name, unless that is empty.
+
+    Usage: `renamed(description, "nao")`
+    """
+    return description_from_dict({**description_to_dict(description), "name": name}) if name else description
+
+
+def robot_file(robot: str | os.PathLike) -> Path:
+    """The MJCF that `load_robot` loads for a name or a path.
 
     Raises:
         InputError: as `load_robot`.
 
-    Usage: `robot_file("mahru")[0].parent`
+    Usage: `robot_file("mahru").parent`
     """
     path = _find(robot)
     if path.suffix.lower() != ".json":
-        return path, False
-    return path.parent / _model_file(_read_json(path), path), True
+        return path
+    return path.parent / _model_file(_read_json(path), path)
 
 
 def _find(robot: str | os.PathLike) -> Path:
     bundled = _bundled()
     if robot in bundled:
         return bundled[str(robot)]
+    if str(robot).startswith(PREFIX):
+        return menagerie_file(str(robot))
     path = Path(robot).expanduser()
     if path.is_dir() and (path / "robot.json").is_file():
         return path / "robot.json"
@@ -250,7 +277,7 @@ def description_from_dict(plain: dict[str, Any], source: str = "description") ->
             raise InputError(f"{source}: key 'stand_joints.{joint}' is {angle!r}; it must be an angle [rad]")
     return RobotDescription(
         name=reader.value("name", str, "a name", Path(source).parent.name or "robot"),
-        root_joint=reader.value("root_joint", str, "the name of the free joint"),
+        root_joint=reader.value("root_joint", str, "the name of the free joint, or empty"),
         left=feet[0],
         right=feet[1],
         stand_joints={joint: float(angle) for joint, angle in joints.items()},
@@ -364,61 +391,6 @@ def joint_torque_limits(model: mujoco.MjModel) -> dict[int, float]:
     return {int(model.actuator_trnid[i, 0]): limits[i] for i in range(model.nu) if _turns_joint(model, i)}
 
 
-def inspect_robot(model: mujoco.MjModel, description: RobotDescription) -> dict[str, Any]:
-    """What a walk needs to know of a robot, found in its model.
-
-    Args:
-        model, description: as `load_robot` returns them.
-
-    Returns:
-        Plain values: name, base, mass_kg, com_height_m (over the lower sole, at the start pose), T_c_s, feet (where
-        they stand), roles (how many joints each), joints (role, axis it turns about at the start pose, range_rad,
-        torque_limit_Nm; None where there is no limit).
-
-    Raises:
-        ModelError: the model lacks what the description names.
-
-    Usage: `inspect_robot(*zmpwalk.load_robot("mahru"))["mass_kg"]`
-    """
-    data = mujoco.MjData(model)
-    description.place(model, data)
-    root_joint = _id(model, "JOINT", description.root_joint)
-    root = int(model.jnt_bodyid[root_joint])
-    feet = {side: _standing_foot(model, data, getattr(description, side)) for side in ("left", "right")}
-    height = float(data.subtree_com[root][2] - min(foot["sole_center_m"][2] for foot in feet.values()))
-    limits = joint_torque_limits(model)
-    legs = {joint: f"{side} leg" for side in ("left", "right") for joint in getattr(description, side).leg_joints}
-    joints: list[dict[str, Any]] = []
-    roles: dict[str, int] = {}
-    for j in range(model.njnt):
-        if int(model.body_rootid[model.jnt_bodyid[j]]) != int(model.body_rootid[root]) or j == root_joint:
-            continue
-        name = mujoco.mj_id2name(model, mujoco.mjtObj.mjOBJ_JOINT, j) or f"joint {j}"
-        role = legs.get(name, "posture")
-        axis = int(np.argmax(np.abs(data.xaxis[j])))
-        limit = limits.get(j, np.inf)
-        roles[role] = roles.get(role, 0) + 1
-        joints.append({
-            "name": name,
-            "role": role,
-            "turns": ("roll", "pitch", "yaw")[axis],
-            "stand_rad": float(data.qpos[model.jnt_qposadr[j]]),
-            "range_rad": model.jnt_range[j].tolist() if model.jnt_limited[j] else None,
-            "torque_limit_Nm": limit if np.isfinite(limit) else None,
-        })  # fmt: skip
-    return {
-        "name": description.name,
-        "base": {"body": mujoco.mj_id2name(model, mujoco.mjtObj.mjOBJ_BODY, root), "joint": description.root_joint},
-        "mass_kg": float(model.body_subtreemass[root]),
-        "com_height_m": height,
-        "T_c_s": float(np.sqrt(height / np.linalg.norm(model.opt.gravity))),
-        "feet": feet,
-        "stand_keyframe": description.stand_keyframe,
-        "roles": roles,
-        "joints": joints,
-    }
-
-
 def _id(model: mujoco.MjModel, kind: str, name: str) -> int:
     found = mujoco.mj_name2id(model, getattr(mujoco.mjtObj, f"mjOBJ_{kind}"), name)
     if found < 0:
@@ -426,14 +398,15 @@ def _id(model: mujoco.MjModel, kind: str, name: str) -> int:
     return int(found)
 
 
-def _standing_foot(model: mujoco.MjModel, data: mujoco.MjData, foot: Foot) -> dict[str, Any]:
-    body = _id(model, "BODY", foot.body)
-    centre = data.xpos[body] + data.xmat[body].reshape(3, 3) @ np.asarray(foot.sole_pos)
-    return {
-        "body": foot.body,
-        "sole_site": foot.sole_site,
-        "sole_center_m": centre.tolist(),
-        "length_m": float(foot.length),
-        "width_m": float(foot.width),
-        "leg_joints": list(foot.leg_joints),
-    }
+def sole_pose(model: mujoco.MjModel, data: mujoco.MjData, foot: Foot) -> tuple[np.ndarray, np.ndarray]:
+    """Where a sole is: centre (3,) [m] and axes (3, 3), columns forward, left, up, both in the world.
+
+    Raises:
+        ModelError: the model lacks the foot's body.
+
+    Usage: `sole_pose(model, data, description.left)[0]`
+    """
+    body, R_BF = _id(model, "BODY", foot.body), np.zeros(9)
+    mujoco.mju_quat2Mat(R_BF, np.asarray(foot.sole_quat, float))
+    R_WB = data.xmat[body].reshape(3, 3)
+    return data.xpos[body] + R_WB @ np.asarray(foot.sole_pos), R_WB @ R_BF.reshape(3, 3)

@@ -26,7 +26,19 @@ class DimensionError(Error, ValueError):
 
 
 class ModelError(Error, ValueError):
-    """A model or a robot description that cannot walk: no free joint, no feet, no motors, names that do not exist."""
+    """A model or a robot description that cannot walk: no free joint, no feet, no motors, names that do not exist.
+
+    Args:
+        reasons: one line each; the message is the first and says how many there are.
+
+    Fields: reasons, as given.
+    """
+
+    def __init__(self, *reasons: str):
+        more = len(reasons) - 1
+        also = f" (and {more} more reason{'s' if more > 1 else ''}: zmpwalk inspect lists all)" if more > 0 else ""
+        super().__init__("".join(reasons[:1]) + also)
+        self.reasons = reasons
 
 
 class VersionError(Error, ImportError):

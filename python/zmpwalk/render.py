@@ -296,14 +296,18 @@ def _camera(model: mujoco.MjModel, data: mujoco.MjData, camera: Camera) -> mujoc
 def _gl_context(width: int, height: int) -> Any:
     """A context of the first OpenGL backend that works."""
     asked = os.environ.get("MUJOCO_GL", "").lower().strip()
+    display = not sys.platform.startswith("linux") or any(map(os.environ.get, ("DISPLAY", "WAYLAND_DISPLAY")))
     if asked in LIBRARIES:
         order = [asked]
     elif sys.platform.startswith("linux"):
-        order = ["egl", "osmesa"] + (["glfw"] if os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY") else [])
+        order = ["egl", "osmesa"] + ["glfw"] * display
     else:
         order = ["glfw"]
     tried = []
     for backend in order:
+        if backend == "glfw" and not display:  # its context would be made, and be none
+            tried.append("glfw: no display")
+            continue
         if backend != "glfw" and not ctypes.util.find_library(LIBRARIES[backend]):
             tried.append(f"{backend}: no lib{LIBRARIES[backend]}")
             continue

@@ -292,7 +292,9 @@ def rerun(trace: Trace, on_progress: Progress | None = None) -> Trace:
 
 def set_state(trace: Trace, model: mujoco.MjModel, data: mujoco.MjData, k: int) -> None:
     """Put the robot of row `k` into `data`, by name, whatever else is in the scene; then `mj_forward`."""
-    root = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_JOINT, trace.meta["description"]["root_joint"])
+    foot = trace.meta["description"]["left"]["foot_body"]
+    base = model.body_rootid[mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_BODY, foot)]
+    root = model.body_jntadr[base]
     q, v = int(model.jnt_qposadr[root]), int(model.jnt_dofadr[root])
     data.qpos[q : q + trace.qpos.shape[1]] = trace.qpos[k]
     data.qvel[v : v + trace.qvel.shape[1]] = trace.qvel[k]

@@ -223,14 +223,14 @@ def test_inspect_shows_what_was_found(zmpwalk_command):
     ):
         assert word in done.stdout
     found = json.loads(zmpwalk_command("inspect", "mahru", "--json").stdout)
-    assert found["roles"] == {"left leg": 6, "right leg": 6, "posture": 13}
+    assert found["roles"] == {"left leg": 6, "right leg": 6, "waist": 1, "left arm": 6, "right arm": 6}
 
 
 def test_our_own_fault_is_exit_1_and_says_so(monkeypatch, capsys):
     def broken(robot):
         raise ZeroDivisionError("inside")
 
-    monkeypatch.setattr("zmpwalk.description.load_robot", broken)
+    monkeypatch.setattr("zmpwalk.proposal.examine", broken)
     assert cli.main(["inspect", "mahru"]) == 1
     error = capsys.readouterr().err
     assert "ZeroDivisionError: inside" in error

@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 import zmpwalk
 from zmpwalk import InputError, ModelError
-from zmpwalk.description import ROBOTS, description_from_dict, description_to_dict, inspect_robot, torque_limits
+from zmpwalk.description import ROBOTS, description_from_dict, description_to_dict, torque_limits
+from zmpwalk.proposal.table import inspect_robot
 
 MAHRU = ROBOTS / "mahru.xml"
 
@@ -198,10 +199,10 @@ def test_torque_limit_is_the_tighter_of_control_and_force_range():
 
 def test_inspection_counts_the_paper_s_25_joints(mahru):
     found = inspect_robot(*mahru)
-    assert found["roles"] == {"left leg": 6, "right leg": 6, "posture": 13}
+    assert found["roles"] == {"left leg": 6, "right leg": 6, "waist": 1, "left arm": 6, "right arm": 6}
     assert found["mass_kg"] == pytest.approx(mahru[0].body_mass.sum())
     assert found["T_c_s"] == pytest.approx(np.sqrt(found["com_height_m"] / 9.81), rel=1e-3)
-    assert [joint["turns"] for joint in found["joints"] if joint["name"] == "l_knee"] == ["pitch"]
+    assert [joint["turns"] for joint in found["joints"] if joint["name"] == "l_knee"] == ["knee pitch"]
     json.dumps(found, allow_nan=False)
 
 

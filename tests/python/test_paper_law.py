@@ -120,6 +120,19 @@ def test_lateral_zmp_switches_in_double_support_where_w_of_T_is_zero(walk):
         assert before[-1] <= before[-3] - before[-2]  # within one cycle of zero
 
 
+def spread(walk):
+    return np.ptp(analysis.switch_times(walk)[5:])
+
+
+def test_switch_wanders_and_orbit_feedback_holds_it(walk):
+    """What ends the literal law after a minute or so: docs/paper_law.md."""
+    held = zmpwalk.simulate("mahru", duration=30.0, settings=WalkSettings(law="paper", lateral_feedback=True))
+    assert spread(walk) > 0.03
+    assert spread(held) < 0.002
+    drift = np.diff(analysis.midstance_offset(held)[5:])
+    assert drift.mean() == pytest.approx(1.6e-4, abs=5e-5)  # the other, slower one: COM and feet part
+
+
 # --- the list of steps as printed
 
 

@@ -84,8 +84,6 @@ RobotDescription describe(const mjModel* m) {
     throw ModelError("the feet hang from body '" + object_name(m, mjOBJ_BODY, m->body_rootid[bodies[kLeft]]) +
                      "', which has no free joint; a walking robot needs a floating base (<freejoint/>)");
   out.root_joint = object_name(m, mjOBJ_JOINT, root);
-  if (out.root_joint.empty())
-    throw ModelError("the robot's free joint has no name; give it one (<freejoint name=\"root\"/>)");
   out.name = object_name(m, mjOBJ_BODY, m->jnt_bodyid[root]);
   for (const Side side : kSides) out.feet[side].leg_joints = leg_joints(m, bodies[side], bodies[other(side)]);
 
@@ -105,9 +103,18 @@ RobotDescription describe(const mjModel* m) {
   return out;
 }
 
+int RobotDescription::free_joint(const mjModel* m) const {
+  return root_joint.empty() ? free_joint_of(m, find(m, mjOBJ_BODY, feet[kLeft].body))
+                            : find(m, mjOBJ_JOINT, root_joint);
+}
+
 void RobotDescription::check(const mjModel* m) const {
-  const int root = require(m, mjOBJ_JOINT, m->njnt, "joint", root_joint);
-  if (m->jnt_type[root] != mjJNT_FREE)
+  if (root_joint.empty())
+    require(m, mjOBJ_BODY, m->nbody, "body", feet[kLeft].body);
+  else
+    require(m, mjOBJ_JOINT, m->njnt, "joint", root_joint);
+  const int root = free_joint(m);
+  if (root < 0 || m->jnt_type[root] != mjJNT_FREE)
     throw ModelError("joint '" + root_joint +
                      "' is not a free joint; a walking robot needs a floating base (<freejoint/>)");
   const int root_body = m->jnt_bodyid[root];
@@ -176,7 +183,7 @@ void RobotDescription::place(const mjModel* m, mjData* d, double ground) const {
   check(m);
   require_same_model(MjDataPtr(mj_makeData(m)).get(), d);
   require_finite("ground", ground);
-  const int root = find(m, mjOBJ_JOINT, root_joint);
+  const int root = free_joint(m);
   mjtNum* base = d->qpos + m->jnt_qposadr[root];
   for (int i = 0; i < 3; ++i) base[i] = stand_base_pos[i];
   base[2] += ground;

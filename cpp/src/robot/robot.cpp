@@ -17,7 +17,7 @@ ConstVec3Map vec3(const mjtNum* p) { return ConstVec3Map(p); }
 
 int checked_root(const mjModel* m, const RobotDescription& description) {
   description.check(m);
-  return mj_name2id(m, mjOBJ_JOINT, description.root_joint.c_str());
+  return description.free_joint(m);
 }
 
 /// Velocity coordinates of the kinematic tree whose root body is `root`; MuJoCo keeps a tree's dofs together.
@@ -40,7 +40,7 @@ Robot::Robot(const mjModel* m, const RobotDescription& description)
       data_(nullptr),
       dynamics_(tree_nv(m, m->jnt_bodyid[checked_root(m, description)])),
       nv_(dynamics_.nv()) {
-  const int root = mj_name2id(m, mjOBJ_JOINT, description.root_joint.c_str());
+  const int root = description.free_joint(m);
   data_.reset(mj_makeData(m));
   if (!data_) throw ModelError("MuJoCo could not make an mjData for this model");
   root_body_ = m->jnt_bodyid[root];

@@ -25,7 +25,7 @@ struct Foot {
 /// The single thing that tells robots apart. All addressing is by name.
 struct RobotDescription {
   std::string name;
-  std::string root_joint;                       ///< the free joint
+  std::string root_joint;                       ///< the free joint; empty where the model does not name it
   std::array<Foot, 2> feet;                     ///< left, right
   std::map<std::string, double> stand_joints;   ///< start posture by joint name [rad or m]
   Vec3 stand_base_pos = Vec3::Zero();           ///< base position of the start pose, soles on z = 0 [m]
@@ -35,6 +35,9 @@ struct RobotDescription {
   /// Throws ModelError unless every name exists in `m` and the robot can be walked: a free joint, two feet with a sole,
   /// six hinges a leg, one torque motor for each joint. Changes nothing.
   void check(const mjModel* m) const;
+
+  /// Number of the free joint: `root_joint`, or where that is empty the left foot's tree's. The names must be right.
+  int free_joint(const mjModel* m) const;
 
   /// Puts the robot into its start pose, at rest, feet flat: knees bent, soles on z = `ground` [m].
   ///
