@@ -1,4 +1,7 @@
-"""Results as Markdown: `python benchmarks/report.py peers.json [docs/benchmarks.md]` prints, or fills the page."""
+"""Results as Markdown: `python benchmarks/report.py RESULT.json [docs/benchmarks.md]` prints, or fills the page.
+
+RESULT.json is what `zmpwalk bench --json` or `benchmarks/peers/run.py` wrote.
+"""
 
 import json
 import re
@@ -90,6 +93,33 @@ def peers_table(result):
     return "\n".join(lines)
 
 
+def bench_tables(result):
+    """The figures of `zmpwalk bench` as Markdown.
+
+    Args:
+        result: what `zmpwalk bench --json FILE` writes.
+
+    Returns:
+        Its tables, then what was measured on what.
+    """
+    from zmpwalk.bench import tables
+
+    machine, build = result["machine"], result["build"]
+    parts = []
+    for title, headings, rows in tables(result):
+        lines = [f"**{title}** ({machine['cpu']})", ""] if any(headings) else []
+        lines += ["| " + " | ".join(headings) + " |", "|---|" + "---:|" * (len(headings) - 1)]
+        lines += ["| " + " | ".join(row) + " |" for row in rows]
+        parts.append("\n".join(lines))
+    parts.append(
+        f"{machine['cpu']}, {machine['cores']} cores, MuJoCo {machine['mujoco']}, Python {machine['python']}, NumPy "
+        f"{machine['numpy']}, {build['compiler']}, kernel {build['kernel']}; {result['cycle']['cycles']} cycles, pinned to "
+        "one core. Torque, contact wrench and ZMP of the fast path differ from the equations as printed by "
+        f"{result['cycle']['largest_difference_to_textbook']:.0e} at most (relative), in every cycle compared."
+    )
+    return "\n\n".join(parts)
+
+
 def fill(page, name, text):
     """`page` with what stands between `<!-- name -->` and `<!-- /name -->` replaced by `text`.
 
@@ -108,12 +138,13 @@ def fill(page, name, text):
 
 
 def main(arguments):
-    table = peers_table(json.loads(Path(arguments[0]).read_text()))
+    result = json.loads(Path(arguments[0]).read_text())
+    name, text = ("bench", bench_tables(result)) if "machine" in result else ("peers", peers_table(result))
     if len(arguments) == 1:
-        print(table)
+        print(text)
         return
     page = Path(arguments[1])
-    page.write_text(fill(page.read_text(encoding="utf-8"), "peers", table), encoding="utf-8")
+    page.write_text(fill(page.read_text(encoding="utf-8"), name, text), encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -342,6 +342,37 @@ class _Progress:
             self._bar.stop()
 
 
+class _Parts:
+    """Which part is being measured: a bar on a terminal, otherwise a line each; always on stderr."""
+
+    def __init__(self) -> None:
+        self._bar: Any = None
+        self._tasks: dict[str, Any] = {}
+
+    def __enter__(self) -> _Parts:
+        if sys.stderr.isatty():
+            from rich.console import Console
+            from rich.progress import Progress
+
+            self._bar = Progress(console=Console(stderr=True))
+            self._bar.start()
+        return self
+
+    def at(self, part: str, share: float) -> None:
+        new = part not in self._tasks
+        if self._bar is not None:
+            if new:
+                self._tasks[part] = self._bar.add_task(part, total=1.0)
+            self._bar.update(self._tasks[part], completed=share)
+        elif new:
+            self._tasks[part] = None
+            print(f"measuring {part}", file=sys.stderr, flush=True)
+
+    def __exit__(self, *rest: Any) -> None:
+        if self._bar is not None:
+            self._bar.stop()
+
+
 def _console() -> Any:
     from rich.console import Console
 
@@ -418,17 +449,8 @@ def bench(robot: str, duration: float, parts: tuple[str, ...], file: Path | None
 
     if file is not None and not file.absolute().parent.is_dir():
         raise InputError(f"'{file.absolute().parent}' is not a folder, {file.name} cannot be written there")
-    tty = sys.stderr.isatty()
-
-    def progress(part: str, share: float) -> None:
-        if tty:
-            print(f"\r{part}: {100 * share:3.0f} %  ", end="", file=sys.stderr, flush=True)
-        elif share == 0.0:
-            print(f"measuring {part}", file=sys.stderr, flush=True)
-
-    result = measure.bench(robot, duration, parts or None, progress)
-    if tty:
-        print("\r" + " " * 40 + "\r", end="", file=sys.stderr)
+    with _Parts() as parts_done:
+        result = measure.bench(robot, duration, parts or None, parts_done.at)
     console, info = _console(), result["machine"]
     console.print(
         f"{info['cpu']}, {info['cores']} cores; MuJoCo {info['mujoco']}; kernel {result['build']['kernel']}\n"
