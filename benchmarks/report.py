@@ -113,8 +113,8 @@ def bench_tables(result):
         parts.append("\n".join(lines))
     parts.append(
         f"{machine['cpu']}, {machine['cores']} cores, MuJoCo {machine['mujoco']}, Python {machine['python']}, NumPy "
-        f"{machine['numpy']}, {build['compiler']}, kernel {build['kernel']}; {result['cycle']['cycles']} cycles, pinned "
-        "to one core. Torque, contact wrench and ZMP of the fast path differ from the equations as printed by "
+        f"{machine['numpy']}, {build['compiler']}, kernel {build['kernel']}; {result['cycle']['cycles']} cycles, all "
+        "on one core. Torque, contact wrench and ZMP of the fast path differ from the equations as printed by "
         f"{result['cycle']['largest_difference_to_textbook']:.0e} at most (relative), in every cycle compared."
     )
     return "\n\n".join(parts)

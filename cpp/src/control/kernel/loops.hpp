@@ -8,9 +8,7 @@ namespace {
 /// Four numbers side by side: one register, or two of a plainer vector unit.
 typedef double Row __attribute__((vector_size(32), aligned(8), may_alias));
 
-#if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wpsabi"  // no Row crosses a call: all of this is inlined
-#endif
 inline Row all(double a) { return Row{a, a, a, a}; }
 
 void subtract_product(int n, const double* J, const double* v, double* out) {
