@@ -23,7 +23,8 @@ void bind_description(py::module_& m) {
   py::class_<RobotDescription>(m, "RobotDescription", "What tells one robot from another; all addressing is by name.")
       .def(py::init([](std::string name, std::string root_joint, const Foot& left, const Foot& right,
                        std::map<std::string, double> stand_joints, const Vec3& stand_base_pos,
-                       const Eigen::Vector4d& stand_base_quat, std::string stand_keyframe) {
+                       const Eigen::Vector4d& stand_base_quat, std::string stand_keyframe,
+                       std::map<std::string, double> torque_limits) {
              RobotDescription d;
              d.name = std::move(name);
              d.root_joint = std::move(root_joint);
@@ -32,10 +33,12 @@ void bind_description(py::module_& m) {
              d.stand_base_pos = stand_base_pos;
              d.stand_base_quat = stand_base_quat;
              d.stand_keyframe = std::move(stand_keyframe);
+             d.torque_limits = std::move(torque_limits);
              return d;
            }),
            py::kw_only(), "name"_a, "root_joint"_a, "left"_a, "right"_a, "stand_joints"_a, "stand_base_pos"_a,
-           "stand_base_quat"_a = Eigen::Vector4d(1, 0, 0, 0), "stand_keyframe"_a = "")
+           "stand_base_quat"_a = Eigen::Vector4d(1, 0, 0, 0), "stand_keyframe"_a = "",
+           "torque_limits"_a = std::map<std::string, double>())
       .def_readonly("name", &RobotDescription::name)
       .def_readonly("root_joint", &RobotDescription::root_joint,
                     "the free joint; empty where the model does not name it")
@@ -45,6 +48,7 @@ void bind_description(py::module_& m) {
       .def_readonly("stand_base_pos", &RobotDescription::stand_base_pos, "base position, soles on z = 0 (3,) [m]")
       .def_readonly("stand_base_quat", &RobotDescription::stand_base_quat, "base orientation (w, x, y, z)")
       .def_readonly("stand_keyframe", &RobotDescription::stand_keyframe)
+      .def_readonly("torque_limits", &RobotDescription::torque_limits, "by joint name, in place of the model's [N m]")
       .def(
           "check", [](const RobotDescription& d, const py::object& model) { d.check(model_of(model)); }, "model"_a,
           "Raises ModelError unless this robot is in `model` and can be walked.")

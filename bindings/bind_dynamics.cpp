@@ -24,6 +24,12 @@ auto array(Member Dynamics::* member, const char* name) {
 
 }  // namespace
 
+py::dict torque_path(const Robot& robot) {
+  py::dict out;
+  for (int j = 0; j < robot.joints(); ++j) out[py::str(robot.joint_names()[j])] = robot.drives()[j].path;
+  return out;
+}
+
 void bind_dynamics(py::module_& m) {
   py::class_<SoleState>(m, "SoleState",
                         "A sole frame: origin at the sole's centre, x forward, z up; all in world axes.")
@@ -92,6 +98,10 @@ void bind_dynamics(py::module_& m) {
       .def_property_readonly(
           "leg_joints", [](const PyRobot& r) { return r.robot.leg_joints(); },
           "joint indices of the two legs, hip to ankle")
+      .def_property_readonly(
+          "torque_path", [](const PyRobot& r) { return torque_path(r.robot); },
+          "how each joint's torque reaches MuJoCo, by joint name: \"motor 'l_knee'\", \"qfrc_applied: position servo "
+          "'l_knee' is\nsilenced\", ...")
       .def_property_readonly(
           "torque_limit", [](const PyRobot& r) { return r.robot.torque_limit(); }, "(joints,) [N m]")
       .def_property_readonly(

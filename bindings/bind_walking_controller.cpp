@@ -93,6 +93,10 @@ void bind_walking_controller(py::module_& m) {
       .def_property_readonly("description", [](const WalkingController& c) { return c.robot().description(); })
       .def_property_readonly("joint_names", [](const WalkingController& c) { return c.robot().joint_names(); })
       .def_property_readonly(
+          "torque_path", [](const WalkingController& c) { return torque_path(c.robot()); },
+          "how each joint's torque reaches MuJoCo, by joint name: \"motor 'l_knee'\", \"qfrc_applied: position servo "
+          "'l_knee' is\nsilenced\", ...")
+      .def_property_readonly(
           "torque_limit", [](const WalkingController& c) { return c.robot().torque_limit(); }, "(nu,) [N m]")
       .def_property_readonly(
           "mass", [](const WalkingController& c) { return c.robot().dynamics().mass; }, "[kg]")

@@ -18,6 +18,8 @@ using namespace pybind11::literals;
 // MuJoCo's Python objects give their C pointer as `_address`.
 const mjModel* model_of(const py::object& model);
 mjData* data_of(const py::object& data);
+/// Joint name -> how its torque reaches MuJoCo.
+py::dict torque_path(const zmpwalk::Robot& robot);
 
 /// NumPy arrays that take the columns' memory over, (T,) or (T, width).
 py::dict take_columns(std::vector<zmpwalk::Column>&& columns);

@@ -5,6 +5,7 @@
 
 #include "zmpwalk/math/error.hpp"
 #include "zmpwalk/robot/robot.hpp"
+#include "zmpwalk/robot/unmodelled.hpp"
 
 namespace zmpwalk {
 namespace {
@@ -53,6 +54,31 @@ std::vector<std::string> leg_joints(const mjModel* m, int foot, int other_foot) 
   std::reverse(joints.begin(), joints.end());
   return joints;
 }
+
+/// A geom that moves with `body` can collide with what is not the robot; true where the model holds nothing else yet.
+bool can_touch_ground(const mjModel* m, int body, int root_body) {
+  const auto belongs = [&](int geom, int to) {
+    for (int b = m->geom_bodyid[geom]; b > 0; b = m->body_parentid[b])
+      if (b == to) return true;
+    return false;
+  };
+  bool others = false, collides = false;
+  for (int g = 0; g < m->ngeom; ++g) {
+    if (belongs(g, root_body)) continue;
+    others = others || m->geom_contype[g] || m->geom_conaffinity[g];
+    for (int s = 0; s < m->ngeom && !collides; ++s)
+      collides = belongs(s, body) && ((m->geom_contype[s] & m->geom_conaffinity[g]) ||
+                                      (m->geom_contype[g] & m->geom_conaffinity[s]));
+  }
+  for (int p = 0; p < m->npair && !collides; ++p) {
+    const int one = m->pair_geom1[p], two = m->pair_geom2[p];
+    collides = belongs(one, body) != belongs(two, body) && belongs(one, root_body) != belongs(two, root_body);
+  }
+  return collides || (!others && m->npair == 0);
+}
+
+// Smaller soles are point feet: shares of the leg, hip to ankle along its bones.
+constexpr double kLeastLength = 0.1, kLeastWidth = 0.04;
 
 }  // namespace
 
@@ -119,6 +145,7 @@ void RobotDescription::check(const mjModel* m) const {
                      "' is not a free joint; a walking robot needs a floating base (<freejoint/>)");
   const int root_body = m->jnt_bodyid[root];
   std::set<std::string> in_legs;
+  RobotTree tree{root_body, {}};
   for (const Side side : kSides) {
     const Foot& foot = feet[side];
     const std::string which = side == kLeft ? "left" : "right";
@@ -133,41 +160,58 @@ void RobotDescription::check(const mjModel* m) const {
     if (foot.leg_joints.size() != 6)
       throw ModelError("the " + which + " leg has " + std::to_string(foot.leg_joints.size()) +
                        " joints between hip and foot; placing a flat foot anywhere takes 6");
+    const std::vector<int> chain = ancestors(m, body);
+    for (const int link : chain)
+      for (int k = 0; k < m->body_jntnum[link]; ++k)
+        if (m->body_jntadr[link] + k != root) tree.chain_joints.push_back(m->body_jntadr[link] + k);
+    int previous = root;
     for (const std::string& leg_joint : foot.leg_joints) {
       const int joint = require(m, mjOBJ_JOINT, m->njnt, "joint", leg_joint);
-      const std::vector<int> chain = ancestors(m, body);
       if (std::find(chain.begin(), chain.end(), m->jnt_bodyid[joint]) == chain.end())
         throw ModelError("joint '" + leg_joint + "' is listed for the " + which + " leg but does not move the foot '" +
                          foot.body + "'");
       if (!in_legs.insert(leg_joint).second)
         throw ModelError("joint '" + leg_joint + "' is listed twice among the leg joints");
+      if (m->jnt_type[joint] != mjJNT_HINGE)
+        throw ModelError("leg joint '" + leg_joint + "' is no hinge; a leg is six hinges (write a ball joint as three)");
+      if (joint < previous)
+        throw ModelError("the " + which + " leg's joints are not listed from hip to ankle: '" + leg_joint + "' comes before '" +
+                         object_name(m, mjOBJ_JOINT, previous) + "' in the model");
+      previous = joint;
     }
+    double bones = 0.0;  // hip to foot, along the bodies
+    for (const int link : chain) {
+      if (link == m->jnt_bodyid[require(m, mjOBJ_JOINT, m->njnt, "joint", foot.leg_joints.front())]) break;
+      bones += Eigen::Map<const Vec3>(m->body_pos + 3 * link).norm();
+    }
+    if (foot.length < kLeastLength * bones || foot.width < kLeastWidth * bones)
+      throw ModelError("point foot: the " + which + " sole is " + std::to_string(foot.length) + " x " + std::to_string(foot.width) +
+                       " m, too small for a leg of " + std::to_string(bones) + " m, which takes at least " +
+                       std::to_string(kLeastLength * bones) + " x " + std::to_string(kLeastWidth * bones) + " m");
+    if (!can_touch_ground(m, body, root_body))
+      throw ModelError("the " + which + " foot '" + foot.body +
+                       "' has no geom that can collide with anything but the robot; see contype and conaffinity");
   }
   for (int j = 0; j < m->njnt; ++j) {
     if (m->body_rootid[m->jnt_bodyid[j]] != root_body || j == root) continue;
     const std::string joint = object_name(m, mjOBJ_JOINT, j);
+    if (joint.empty())
+      throw ModelError("joint " + std::to_string(j) + " at body '" + object_name(m, mjOBJ_BODY, m->jnt_bodyid[j]) +
+                       "' has no name; descriptions go by names, so give it one");
     if (m->jnt_type[j] != mjJNT_HINGE && m->jnt_type[j] != mjJNT_SLIDE)
       throw ModelError("joint '" + joint + "' is neither hinge nor slide; zmpwalk drives those only");
-    int motors = 0;
-    for (int a = 0; a < m->nu; ++a) {
-      if (m->actuator_trntype[a] != mjTRN_JOINT || m->actuator_trnid[2 * a] != j) continue;
-      const std::string actuator = object_name(m, mjOBJ_ACTUATOR, a);
-      if (m->actuator_gaintype[a] != mjGAIN_FIXED || m->actuator_biastype[a] != mjBIAS_NONE ||
-          m->actuator_dyntype[a] != mjDYN_NONE || m->actuator_gainprm[mjNGAIN * a] != 1.0 ||
-          m->actuator_gear[6 * a] == 0.0)
-        throw ModelError("actuator '" + actuator + "' of joint '" + joint +
-                         "' is not a plain torque motor; use <motor joint=\"" + joint + "\" ctrlrange=\"-tau tau\"/>");
-      ++motors;
-    }
-    if (motors != 1)
-      throw ModelError("joint '" + joint + "' has " + std::to_string(motors) +
-                       " motors; each joint of the robot needs exactly one (<motor joint=\"" + joint + "\"/>)");
     const auto stand = stand_joints.find(joint);
     if (stand == stand_joints.end()) throw ModelError("the start pose has no value for joint '" + joint + "'");
     if (!std::isfinite(stand->second))
       throw ModelError("the start pose's value for joint '" + joint + "' is not finite");
   }
-  for (const auto& entry : stand_joints) require(m, mjOBJ_JOINT, m->njnt, "joint", entry.first);
+  for (const auto* table : {&stand_joints, &torque_limits})
+    for (const auto& entry : *table) {
+      const int j = require(m, mjOBJ_JOINT, m->njnt, "joint", entry.first);
+      if (m->body_rootid[m->jnt_bodyid[j]] != root_body || j == root)
+        throw ModelError("joint '" + entry.first + "' is none of this robot's");
+    }
+  require_modelled(m, tree);
   if (!stand_base_pos.allFinite() || !(std::abs(stand_base_quat.norm() - 1.0) < 1e-3))
     throw ModelError("the start pose's base is not a position and a unit quaternion (w, x, y, z)");
 }

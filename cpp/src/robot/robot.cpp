@@ -1,11 +1,13 @@
 #include "zmpwalk/robot/robot.hpp"
 
 #include <Eigen/Geometry>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
 #include "zmpwalk/math/error.hpp"
 #include "zmpwalk/robot/mujoco_compat.hpp"
+#include "zmpwalk/robot/unmodelled.hpp"
 
 namespace zmpwalk {
 namespace {
@@ -27,6 +29,19 @@ int tree_nv(const mjModel* m, int root) {
   return count;
 }
 
+/// Hinges and slides of the same tree, in the order of their dofs.
+std::vector<int> tree_joints(const mjModel* m, int root) {
+  std::vector<int> joints;
+  for (int j = 0; j < m->njnt; ++j)
+    if (m->body_rootid[m->jnt_bodyid[j]] == root && m->jnt_type[j] != mjJNT_FREE) joints.push_back(j);
+  return joints;
+}
+
+// What a start pose must be: soles level and on the ground, and legs that can move their soles in every direction.
+constexpr double kStandTilt = 0.02;      // [rad]
+constexpr double kStandHeight = 0.005;   // of a sole over the ground [m]
+constexpr double kLeastMobility = 1e-3;  // least over largest singular value of a leg's Jacobian, lengths in units of the leg
+
 }  // namespace
 
 std::string object_name(const mjModel* m, mjtObj type, int id) {
@@ -39,7 +54,8 @@ Robot::Robot(const mjModel* m, const RobotDescription& description)
       description_(description),
       data_(nullptr),
       dynamics_(tree_nv(m, m->jnt_bodyid[checked_root(m, description)])),
-      nv_(dynamics_.nv()) {
+      nv_(dynamics_.nv()),
+      actuation_(m, tree_joints(m, m->jnt_bodyid[checked_root(m, description)]), description.torque_limits) {
   const int root = description.free_joint(m);
   data_.reset(mj_makeData(m));
   if (!data_) throw ModelError("MuJoCo could not make an mjData for this model");
@@ -47,29 +63,15 @@ Robot::Robot(const mjModel* m, const RobotDescription& description)
   qpos0_ = m->jnt_qposadr[root];
   dof0_ = m->jnt_dofadr[root];
 
-  const int joints = nv_ - 6;
-  gear_ = VecX::Ones(joints);
-  stand_ = VecX::Zero(joints);
-  torque_limit_ = VecX::Constant(joints, std::numeric_limits<double>::infinity());
-  for (int j = 0; j < joints; ++j) {
-    const int joint = m->dof_jntid[dof0_ + 6 + j];
-    joint_names_.push_back(object_name(m, mjOBJ_JOINT, joint));
-    stand_[j] = description.stand_joints.at(joint_names_.back());
-    int motor = 0;
-    while (m->actuator_trntype[motor] != mjTRN_JOINT || m->actuator_trnid[2 * motor] != joint) ++motor;
-    actuator_.push_back(motor);
-    gear_[j] = m->actuator_gear[6 * motor];
-    if (m->actuator_ctrllimited[motor])
-      torque_limit_[j] =
-          std::abs(gear_[j]) * std::min(-m->actuator_ctrlrange[2 * motor], m->actuator_ctrlrange[2 * motor + 1]);
-    if (m->actuator_forcelimited[motor])
-      torque_limit_[j] = std::min(
-          torque_limit_[j],
-          std::abs(gear_[j]) * std::min(-m->actuator_forcerange[2 * motor], m->actuator_forcerange[2 * motor + 1]));
-    if (!(torque_limit_[j] > 0.0))
-      throw ModelError("motor of joint '" + joint_names_.back() +
-                       "' has a control range without 0 inside; use ctrlrange=\"-tau tau\"");
+  stand_ = VecX::Zero(joints());
+  torque_limit_ = VecX::Zero(joints());
+  for (int j = 0; j < joints(); ++j) {
+    joint_names_.push_back(object_name(m, mjOBJ_JOINT, m->dof_jntid[dof0_ + 6 + j]));
+    stand_[j] = description.stand_joints.at(joint_names_[j]);
+    torque_limit_[j] = drives()[j].limit;
   }
+  for (int t = 0; t < m->ntendon; ++t)
+    tendon_forces_ = tendon_forces_ || m->tendon_stiffness[t] != 0.0 || m->tendon_damping[t] != 0.0;
   for (const Side side : kSides) {
     const Foot& foot = description.feet[side];
     SoleFrame& frame = frame_[side];
@@ -100,6 +102,29 @@ Robot::Robot(const mjModel* m, const RobotDescription& description)
                foot = anchor(pitch_joint(side, 4, 6));
     leg_[side] = {(knee - hip).norm(), (foot - knee).norm(), foot - hip, leg_joints_[side][3]};
   }
+  check_stand(m);
+}
+
+void Robot::check_stand(const mjModel* m) const {
+  for (const Side side : kSides) {
+    const std::string which = side == kLeft ? "left" : "right";
+    const SoleState& sole = dynamics_.sole[side];
+    const double tilt = std::acos(std::clamp(sole.R_WF(2, 2), -1.0, 1.0)), height = sole.p_WF.z();
+    if (tilt > kStandTilt || std::abs(height) > kStandHeight)
+      throw ModelError("at the start pose the " + which + " sole is tilted by " + std::to_string(tilt) + " rad and " +
+                       std::to_string(height) + " m over the ground; both soles must lie flat on z = 0");
+    const double length = leg_[side].thigh + leg_[side].shank;
+    Eigen::Matrix<double, 6, 6> J;
+    for (int i = 0; i < 6; ++i) J.col(i) = sole.J.col(6 + leg_joints_[side][i]);
+    J.topRows<3>() /= length;
+    const Eigen::Matrix<double, 6, 1> mobility = Eigen::JacobiSVD<Eigen::Matrix<double, 6, 6>>(J).singularValues();
+    if (!(mobility[5] > kLeastMobility * mobility[0]))
+      throw ModelError("the " + which +
+                       " leg cannot move its sole in every direction at the start pose: its knee is straight, or its six axes "
+                       "lack a roll, pitch or yaw");
+  }
+  mj_tendon(m, data_.get());
+  require_coupled_stand(m, {root_body_, {}}, data_.get());
 }
 
 int Robot::pitch_joint(Side side, int first, int last) const {
@@ -138,9 +163,14 @@ void Robot::read(const mjData* d) {
   mj_kinematics(m_, own);
   mj_comPos(m_, own);
   mujoco_compat::compute_inertia(m_, own);
-  mj_comVel(m_, own);
-  mj_passive(m_, own);
-  mj_rne(m_, own, 0, own->qfrc_bias);
+  if (tendon_forces_) {  // mj_passive needs their lengths and speeds
+    mj_tendon(m_, own);
+    mj_fwdVelocity(m_, own);
+  } else {
+    mj_comVel(m_, own);
+    mj_passive(m_, own);
+    mj_rne(m_, own, 0, own->qfrc_bias);
+  }
   collect(own);
 }
 
@@ -229,10 +259,6 @@ double Robot::joint_margin(const mjData* d) const {
     margin = std::min({margin, q - m_->jnt_range[2 * joint], m_->jnt_range[2 * joint + 1] - q});
   }
   return margin;
-}
-
-void Robot::write_torque(const ConstVecRef& tau, mjData* d) const {
-  for (int j = 0; j < nv_ - 6; ++j) d->ctrl[actuator_[j]] = tau[j] / gear_[j];
 }
 
 }  // namespace zmpwalk

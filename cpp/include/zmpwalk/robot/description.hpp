@@ -31,9 +31,10 @@ struct RobotDescription {
   Vec3 stand_base_pos = Vec3::Zero();           ///< base position of the start pose, soles on z = 0 [m]
   Eigen::Vector4d stand_base_quat{1, 0, 0, 0};  ///< base orientation of the start pose (w, x, y, z)
   std::string stand_keyframe;                   ///< the keyframe the pose came from; may be empty
+  std::map<std::string, double> torque_limits;  ///< by joint name, in place of the model's [N m]; may be empty
 
-  /// Throws ModelError unless every name exists in `m` and the robot can be walked: a free joint, two feet with a sole,
-  /// six hinges a leg, one torque motor for each joint. Changes nothing.
+  /// Throws ModelError unless every name exists in `m` and the robot can be walked: a free joint, two feet with a sole that can
+  /// touch the ground, six hinges a leg from hip to ankle, and nothing that is not modelled (`require_modelled`). Changes nothing.
   void check(const mjModel* m) const;
 
   /// Number of the free joint: `root_joint`, or where that is empty the left foot's tree's. The names must be right.

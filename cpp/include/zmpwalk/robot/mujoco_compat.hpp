@@ -25,4 +25,30 @@ struct ContactPair {
 };
 ContactPair contact_pair(const mjContact& contact);
 
+/// Actuators of the model, and where their controls and forces stand.
+int actuator_count(const mjModel* m);
+int control_address(const mjModel* m, int actuator);
+int control_count(const mjModel* m, int actuator);
+int force_address(const mjModel* m, int actuator);
+/// The actuator takes one control and answers at once: no delay, no plugin, no option switches it off.
+bool is_immediate(const mjModel* m, int actuator);
+/// Why the force of an actuator cannot be foreseen from the state and its control, or "".
+std::string unforeseeable(const mjModel* m, int actuator);
+/// Limit on all actuators of a joint together [N m]; infinity without.
+double joint_force_limit(const mjModel* m, int joint);
+/// The joint's gravity compensation counts as a force of its actuators.
+bool compensates_gravity_by_actuator(const mjModel* m, int joint);
+
+/// The equality constraint holds from the start.
+bool is_active(const mjModel* m, int equality);
+/// The two bodies that a connect or weld ties.
+struct TiedBodies {
+  int first, second;
+};
+TiedBodies tied_bodies(const mjModel* m, int equality);
+/// Inertia of a tendon [kg or kg m^2].
+double tendon_armature(const mjModel* m, int tendon);
+/// What acts on `body` that only newer MuJoCo has and we do not model, in words, or "": plugins, flexes, adhesive geoms.
+std::string unmodelled_on(const mjModel* m, int body);
+
 }  // namespace zmpwalk::mujoco_compat

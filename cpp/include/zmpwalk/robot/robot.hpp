@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "zmpwalk/control/dynamics.hpp"
+#include "zmpwalk/robot/actuation.hpp"
 #include "zmpwalk/robot/description.hpp"
 
 namespace zmpwalk {
@@ -32,7 +33,8 @@ struct RobotLeg {
 /// From a state alone it works on an mjData of its own: no collision, no constraint solver. `m` must outlive it.
 class Robot {
  public:
-  /// @throws ModelError  as RobotDescription::check
+  /// @throws ModelError  as RobotDescription::check; a start pose without two level soles on the ground, with a leg whose six
+  ///         joints cannot move the sole in every direction, or against the model's own couplings
   Robot(const mjModel* m, const RobotDescription& description);
 
   /// Reads the robot's state out of `d` and computes every term of `dynamics()`. Allocates nothing.
@@ -55,8 +57,8 @@ class Robot {
   /// True where every position and velocity of the robot in `d` is finite.
   bool is_finite(const mjData* d) const;
 
-  /// Writes joint torques (joints,) [N m] to the motors: ctrl = tau / gear. Allocates nothing.
-  void write_torque(const ConstVecRef& tau, mjData* d) const;
+  /// Writes joint torques (joints,) [N m] for the state in `d`: `Actuation::write`. Allocates nothing.
+  void write_torque(const ConstVecRef& tau, mjData* d) const { actuation_.write(tau, d, data_.get()); }
 
   const mjModel* model() const { return m_; }
   const RobotDescription& description() const { return description_; }
@@ -70,7 +72,9 @@ class Robot {
   bool is_foot(Side side, int body) const;
   bool is_robot(int body) const { return m_->body_rootid[body] == root_body_; }
   const std::vector<std::string>& joint_names() const { return joint_names_; }
-  /// Torque limits of the joints (joints,) [N m]: |ctrlrange| * gear; infinity where a motor has none.
+  /// How the torque of each joint reaches MuJoCo (joints,).
+  const std::vector<JointDrive>& drives() const { return actuation_.drives(); }
+  /// Torque limits of the joints (joints,) [N m]: the description's, else the model's; infinity where there is none.
   const VecX& torque_limit() const { return torque_limit_; }
   /// Joint index (0-based, base excluded) of each leg joint, hip to ankle.
   const std::array<std::vector<int>, 2>& leg_joints() const { return leg_joints_; }
@@ -84,8 +88,6 @@ class Robot {
   Vec3 sole_centre(Side side, const mjData* d) const;
   /// Distance of the joint that is nearest to one of its limits in `d` [rad or m]; infinity without limits.
   double joint_margin(const mjData* d) const;
-  /// Motor of each joint (actuator index).
-  const std::vector<int>& actuators() const { return actuator_; }
   /// Of the leg joints [first, last), the one whose axis lies closest to the sole's y at the start pose (joint index).
   int pitch_joint(Side side, int first, int last) const;
 
@@ -100,6 +102,7 @@ class Robot {
     std::vector<int> chain;  // bodies from the root to the foot
     std::vector<int> dofs;   // robot's dof indices that move it
   };
+  void check_stand(const mjModel* m) const;
   void collect(const mjData* d);
   void read_sole(const SoleFrame& frame, const mjData* d, SoleState& out) const;
 
@@ -111,8 +114,9 @@ class Robot {
   std::array<int, 2> foot_body_{};
   std::array<SoleFrame, 2> frame_;
   std::vector<std::string> joint_names_;
-  std::vector<int> actuator_;
-  VecX gear_, torque_limit_, stand_;
+  Actuation actuation_;
+  bool tendon_forces_ = false;
+  VecX torque_limit_, stand_;
   std::array<std::vector<int>, 2> leg_joints_;
   std::array<Vec3, 2> ankle_F_;
   std::array<RobotLeg, 2> leg_;

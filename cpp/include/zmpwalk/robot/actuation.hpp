@@ -1,0 +1,55 @@
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "zmpwalk/math/types.hpp"
+
+namespace zmpwalk {
+
+/// How the torque of one joint reaches MuJoCo.
+struct JointDrive {
+  int control = -1;      ///< entry of ctrl that takes it, ctrl = tau / scale; -1: it goes through qfrc_applied
+  double scale = 1.0;    ///< torque per unit of control, gear times gain [N m]
+  double limit = 0.0;    ///< torque limit [N m]; infinity where nothing limits it
+  std::string path;      ///< the same in words: "motor 'l_knee'", "qfrc_applied: position servo 'l_knee' is silenced"
+};
+
+/// Puts joint torques into an mjData, whatever drives the joints.
+///
+/// A joint with one plain torque motor (no dynamics, no bias, any gear and gain) takes ctrl = tau / (gear gain). The torque of any other
+/// joint (servos, several actuators, actuators with dynamics, tendons, none) goes through qfrc_applied, exactly: its actuators are
+/// set to give no force where a control does that, and what MuJoCo's own mj_fwdActuation says they still give, clipped as
+/// the model clips it, is subtracted. So qfrc_actuator + qfrc_applied = tau at the state that was written for.
+class Actuation {
+ public:
+  /// @param joints  MuJoCo numbers of the robot's joints, hinges and slides, in the order of its dofs
+  /// @param limits  torque limits by joint name that replace the model's [N m]; a motor still gives no more than the model lets through
+  /// @throws ModelError  a motor that cannot be at rest, or a limit that is not positive
+  Actuation(const mjModel* m, const std::vector<int>& joints, const std::map<std::string, double>& limits);
+
+  const std::vector<JointDrive>& drives() const { return drives_; }
+
+  /// Writes `tau` (joints,) [N m] for the state in `d`. `own` is scratch for the same model that holds the robot's state.
+  ///
+  /// Only ctrl of the actuators that act on the robot changes, and qfrc_applied of the joints that are driven through it. Allocates nothing.
+  void write(const ConstVecRef& tau, mjData* d, mjData* own) const;
+
+ private:
+  void silence(mjData* d, mjData* own) const;
+
+  const mjModel* m_;
+  std::vector<JointDrive> drives_;
+  std::vector<int> dofs_;      // of each joint
+  std::vector<int> silenced_;  // actuators
+  bool subtracts_ = false;     // something acts beside qfrc_applied
+  int qpos0_ = 0, nq_ = 0, dof0_ = 0, nv_ = 0;  // of the robot's tree
+};
+
+/// Joints whose positions a tendon's length depends on: those of a fixed one, those between the sites and geoms of a spatial one.
+std::vector<int> tendon_joints(const mjModel* m, int tendon);
+
+}  // namespace zmpwalk
