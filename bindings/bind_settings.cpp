@@ -15,36 +15,45 @@ py::object to_python(const T& value) {
     return py::cast(value);
 }
 
+/// What a setting of type T must be, for messages.
 template <class T>
-void from_python(const std::string& name, const py::handle& value, T& out) {
+std::string kind_of(const std::string& unit) {
+  const std::string in_unit = unit.empty() ? "" : " [" + unit + "]";
+  if constexpr (std::is_same_v<T, bool>) return "true or false";
+  if constexpr (std::is_same_v<T, int>) return "an integer";
+  if constexpr (std::is_same_v<T, double>) return "a number" + in_unit;
+  if constexpr (std::is_same_v<T, std::vector<double>>) return "a list of numbers" + in_unit;
+  if constexpr (std::is_same_v<T, std::map<std::string, double>>) return "a table, joint name = number" + in_unit;
+  return "a word";
+}
+
+template <class T>
+void from_python(const std::string& name, const py::handle& value, const std::string& unit, T& out) {
   try {
-    if constexpr (std::is_enum_v<T>) {
+    if (std::is_same_v<T, bool> != py::isinstance<py::bool_>(value)) throw py::cast_error();
+    if constexpr (std::is_enum_v<T>)
       from_string(value.cast<std::string>(), out);
-    } else if constexpr (std::is_same_v<T, bool>) {
-      if (!py::isinstance<py::bool_>(value)) throw py::cast_error();
-      out = value.cast<bool>();
-    } else {
+    else
       out = value.cast<T>();
-    }
   } catch (const py::cast_error&) {
-    throw InputError(name + " = " + std::string(py::repr(value)) + " is of the wrong type; it is now " +
-                     std::string(py::repr(to_python(out))));
+    throw InputError(name + " = " + std::string(py::repr(value)) + " is of the wrong type; it must be " +
+                     kind_of<T>(unit));
   }
 }
 
 void set(WalkSettings& settings, const std::string& wanted, const py::handle& value) {
   // footsteps also takes a list of lengths
   if (wanted == "footsteps" && !py::isinstance<py::str>(value)) {
-    from_python("footsteps", value, settings.step_lengths);
+    from_python("footsteps", value, "m", settings.step_lengths);
     settings.footsteps = Footsteps::kList;
     return;
   }
   bool found = false;
   std::string known;
-  visit_settings(settings, [&](const char* name, auto& member, const char*, const char*) {
+  visit_settings(settings, [&](const char* name, auto& member, const char* unit, const char*) {
     known += std::string(known.empty() ? "" : ", ") + name;
     if (wanted != name) return;
-    from_python(wanted, value, member);
+    from_python(wanted, value, unit, member);
     found = true;
   });
   if (!found) throw InputError("there is no setting '" + wanted + "'; there are: law, " + known);
@@ -94,6 +103,17 @@ void bind_settings(py::module_& m) {
         name, py::cpp_function([key](const WalkSettings& s) { return py::object(to_dict(s)[py::str(key)]); }),
         py::cpp_function([key](WalkSettings& s, const py::object& value) { set(s, key, value); }), doc.c_str());
   });
+  cls.def_static(
+      "table",
+      [] {
+        WalkSettings fresh;
+        py::dict out;
+        visit_settings(fresh, [&](const char* name, auto&, const char* unit, const char* meaning) {
+          out[name] = py::make_tuple(unit, meaning);
+        });
+        return out;
+      },
+      "Every setting's (unit, meaning) by name, in the order of `to_dict`.");
   cls.def("to_dict", &to_dict, "All settings by name, as plain Python values.");
   cls.def("__repr__", [](const WalkSettings& s) { return "WalkSettings(" + std::string(py::str(to_dict(s))) + ")"; });
   cls.def(

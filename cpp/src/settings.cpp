@@ -131,6 +131,7 @@ WalkSettings resolve(const WalkSettings& settings, const RobotScale& robot) {
   if (s.footsteps == Footsteps::kList && s.step_lengths.empty())
     throw InputError("footsteps = 'list' needs step_lengths, for example [0.1, 0.15, 0.2]");
   for (const double length : s.step_lengths) require_finite("step_lengths", length);
+  for (const auto& [joint, limit] : s.torque_limits) require_positive(("torque_limits." + joint).c_str(), limit);
   const double ratio = s.control_dt / robot.timestep;
   if (!(ratio > 0.5) || std::abs(ratio - std::round(ratio)) > 1e-6)
     throw InputError("control_dt = " + std::to_string(s.control_dt) +

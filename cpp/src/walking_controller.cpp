@@ -35,6 +35,11 @@ RobotScale scale_of(const Robot& robot) {
   return scale;
 }
 
+RobotDescription with_limits(RobotDescription description, const std::map<std::string, double>& limits) {
+  for (const auto& [joint, limit] : limits) description.torque_limits[joint] = limit;
+  return description;
+}
+
 ZmpBounds bounds_of(const Robot& robot, Side side, const WalkSettings& settings) {
   const Foot& foot = robot.description().feet[side];
   const auto& leg = robot.leg_joints()[side];
@@ -69,7 +74,7 @@ std::string to_string(Fall fall) {
 
 WalkingController::WalkingController(const mjModel* model, const RobotDescription& description,
                                      const WalkSettings& settings, const VelocityProfile& profile)
-    : robot_(model, description),
+    : robot_(model, with_limits(description, settings.torque_limits)),
       profile_(profile),
       com_height_(stand_height(robot_.dynamics())),
       half_sole_width_(0.5 * std::min(description.feet[kLeft].width, description.feet[kRight].width)),

@@ -54,6 +54,7 @@ from .description import (
 )
 from .profiles import VelocityProfile
 from .proposal import Proposal, propose
+from .settings import load_settings, settings_toml
 from .simulation import Recorder, WalkingController, simulate, simulate_batch
 from .trace import Trace
 
@@ -91,11 +92,13 @@ __all__ = [
     "errors",
     "iterate_reference",
     "load_robot",
+    "load_settings",
     "measured_zmp",
     "plot",
     "propose",
     "read_description",
     "render",
+    "settings_toml",
     "simulate",
     "simulate_batch",
     "solve_reference",

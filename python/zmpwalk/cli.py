@@ -6,7 +6,7 @@ stderr, nothing written), 130 stopped by Ctrl-C (nothing written), 1 a fault of 
 
 from __future__ import annotations
 
-import difflib
+import functools
 import json
 import math
 import os
@@ -97,6 +97,35 @@ def cli() -> None:
     """Walk humanoids in MuJoCo by whole-body control and estimated ZMP."""
 
 
+def _settings_options(command: Callable) -> Callable:
+    """Options that make `WalkSettings`, which the command gets as `settings`."""
+
+    @click.option(
+        "--law",
+        type=click.Choice(["default", "paper"]),
+        help="The control law's preset.  [default: that of the settings file, else default]",
+    )
+    @click.option("--settings", "file", type=click.Path(path_type=Path), help="A TOML file of settings.")
+    @click.option(
+        "--footsteps",
+        help='tied, absolute, paper, printed, or lengths "0.1,0.15,0.2" [m]; the law\'s own if not given.',
+    )
+    @click.option(
+        "--set",
+        "changes",
+        multiple=True,
+        metavar="NAME=VALUE",
+        help="Change one setting of WalkSettings; may be repeated.",
+    )
+    @functools.wraps(command)
+    def with_settings(
+        law: str | None, file: Path | None, footsteps: str | None, changes: tuple[str, ...], **options: Any
+    ) -> int:
+        return command(settings=_settings(law, file, footsteps, changes), **options)
+
+    return with_settings
+
+
 # --- walk
 
 
@@ -114,19 +143,7 @@ def cli() -> None:
     help='Planned velocity: paper, a CSV file, "0.2" or "0:0.063,0.8:0.156".',
 )
 @click.option("--duration", type=float, default=8.0, show_default=True, help="Simulated time [s].")
-@click.option(
-    "--law",
-    type=click.Choice(["default", "paper"]),
-    default="default",
-    show_default=True,
-    help="The control law's preset.",
-)
-@click.option(
-    "--footsteps", help='tied, absolute, paper, printed, or lengths "0.1,0.15,0.2" [m]; the law\'s own if not given.'
-)
-@click.option(
-    "--set", "changes", multiple=True, metavar="NAME=VALUE", help="Change one setting of WalkSettings; may be repeated."
-)
+@_settings_options
 @click.option("--out", type=click.Path(path_type=Path), help="Folder to write into.  [default: out/ROBOT-LAW]")
 @click.option("--json", "as_json", is_flag=True, help="Print the summary as JSON, and nothing else, on stdout.")
 @click.option("--no-figures", is_flag=True, help="Write trace and summary only.")
@@ -134,9 +151,7 @@ def walk(
     robot: str,
     profile: str,
     duration: float,
-    law: str,
-    footsteps: str | None,
-    changes: tuple[str, ...],
+    settings: Any,
     out: Path | None,
     as_json: bool,
     no_figures: bool,
@@ -149,12 +164,11 @@ def walk(
     # Everything that can be wrong is found out before anything is written.
     velocity = VelocityProfile.from_spec(profile)
     duration = check_duration(duration)
-    settings = _settings(law, footsteps, changes)
     model, found = examine(robot)
     name = robot if robot.isidentifier() else found.description.name
     controller = WalkingController(model, found.description, settings, velocity)
     mismatch = getattr(controller, "plan_mismatch", lambda duration: 0.0)(duration)
-    out = out or Path("out") / f"{name}-{law}"
+    out = out or Path("out") / f"{name}-{settings.law}"
     with _folder(out) as (draft, deliver):
         for remark in found.remarks:
             print(f"zmpwalk: note: {remark}", file=sys.stderr)
@@ -191,15 +205,16 @@ def walk(
     return STOOD
 
 
-def _settings(law: str, footsteps: str | None, changes: tuple[str, ...]) -> Any:
-    """WalkSettings from the preset's name, --footsteps and the --set words.
+def _settings(law: str | None, file: Path | None, footsteps: str | None, changes: tuple[str, ...]) -> Any:
+    """WalkSettings from a file, the preset's name, --footsteps and the --set words; the later ones win.
 
     Raises:
         InputError: an unknown setting, or a value it cannot have.
     """
     from . import WalkSettings
+    from .settings import load_settings, nearest
 
-    known = WalkSettings(law=law).to_dict()
+    known = WalkSettings().to_dict()
     values: dict[str, Any] = {}
     if footsteps is not None:
         values["footsteps"] = footsteps if footsteps in FOOTSTEPS else _lengths(footsteps)
@@ -209,13 +224,10 @@ def _settings(law: str, footsteps: str | None, changes: tuple[str, ...]) -> Any:
         if not equals:
             raise InputError(f"--set {change}: write it as NAME=VALUE")
         if name not in known:
-            near = difflib.get_close_matches(name, known, 3, 0.5) or sorted(known)
-            raise InputError(f"--set {change}: no setting '{name}'; there is {', '.join(near)}")
+            raise InputError(f"--set {change}: no setting '{name}'; there is {', '.join(nearest(name, known))}")
         values[name] = _parse(text.strip(), known[name], change)
-    try:
-        return WalkSettings(law=values.pop("law", law), **values)
-    except TypeError as error:
-        raise InputError(f"settings: {error}") from None
+    law = values.pop("law", law)
+    return load_settings(file, law, **values) if file else WalkSettings(law=law or "default", **values)
 
 
 def _lengths(text: str) -> list[float]:
@@ -240,8 +252,11 @@ def _parse(text: str, like: Any, change: str) -> Any:
             return float(text)
         if isinstance(like, (list, tuple)):
             return [float(word) for word in text.split(",") if word.strip()]
+        if isinstance(like, dict):
+            return {key.strip(): float(word) for key, word in (pair.split(":") for pair in text.split(","))}
     except ValueError:
-        kind = "true or false" if isinstance(like, bool) else "an integer" if isinstance(like, int) else "a number"
+        kinds = {bool: "true or false", int: "an integer", dict: 'written as "l_knee:100,r_knee:100"'}
+        kind = kinds.get(type(like), "a number")
         raise InputError(f"--set {change}: '{text}' is not {kind}") from None
     return text
 
@@ -465,6 +480,27 @@ def bench(robot: str, duration: float, parts: tuple[str, ...], file: Path | None
     if file is not None:
         file.write_text(json.dumps(result, indent=2) + "\n", encoding="utf-8")
         console.print(f"written: {file}", soft_wrap=True)
+    return STOOD
+
+
+# --- settings
+
+
+@cli.command()
+@click.argument("robot")
+@_settings_options
+def settings(robot: str, settings: Any) -> int:
+    """Print every setting of a walk of ROBOT as TOML: value, unit, meaning; defaults behind a #.
+
+    Change the file and give it to `zmpwalk walk --settings FILE`.
+    """
+    from .description import load_robot
+    from .profiles import VelocityProfile
+    from .settings import settings_toml
+    from .simulation import WalkingController
+
+    controller = WalkingController(*load_robot(robot), settings, VelocityProfile.constant(0.0))
+    click.echo(settings_toml(controller, settings), nl=False)
     return STOOD
 
 

@@ -191,7 +191,7 @@ def read_description(path: str | os.PathLike) -> RobotDescription:
         path: the file. Required keys: root_joint, left, right (each foot_body, leg_joints, and either rect_x, rect_y
             [m] in the foot's body or length, width [m]; and either sole_center [m] or rect_x, rect_y and sole_z),
             stand_joints [rad], stand_base_pos [m]. Optional: name, sole_site, sole_quat_wxyz, stand_base_quat_wxyz,
-            stand_keyframe.
+            stand_keyframe, torque_limits (joint name -> N m, in place of the model's).
 
     Returns:
         The description, not yet compared with a model: `description.check(model)` does that.
@@ -248,6 +248,13 @@ class _Reader:
             raise InputError(f"{self.source}: key '{self.prefix}{key}' is {raw!r}; it must be {what}")
         return array
 
+    def table(self, key: str, what: str, default: Any = None) -> dict[str, float]:
+        numbers = self.value(key, dict, what, default)
+        for name, number in numbers.items():
+            if isinstance(number, bool) or not isinstance(number, (int, float)) or not np.isfinite(number):
+                raise InputError(f"{self.source}: key '{key}.{name}' is {number!r}; it must be a number: {what}")
+        return {name: float(number) for name, number in numbers.items()}
+
     def length(self, key: str) -> float:
         number = self.value(key, (int, float), "a length [m], more than 0")
         if not number > 0:
@@ -271,19 +278,17 @@ def description_from_dict(plain: dict[str, Any], source: str = "description") ->
     """
     reader = _Reader(plain, source)
     feet = [_foot(reader.value(side, dict, f"the {side} foot's object"), source, side) for side in ("left", "right")]
-    joints = reader.value("stand_joints", dict, "joint name -> angle [rad] of the start pose")
-    for joint, angle in joints.items():
-        if isinstance(angle, bool) or not isinstance(angle, (int, float)) or not np.isfinite(angle):
-            raise InputError(f"{source}: key 'stand_joints.{joint}' is {angle!r}; it must be an angle [rad]")
+    joints = reader.table("stand_joints", "joint name -> angle [rad] of the start pose")
     return RobotDescription(
         name=reader.value("name", str, "a name", Path(source).parent.name or "robot"),
         root_joint=reader.value("root_joint", str, "the name of the free joint, or empty"),
         left=feet[0],
         right=feet[1],
-        stand_joints={joint: float(angle) for joint, angle in joints.items()},
+        stand_joints=joints,
         stand_base_pos=reader.numbers("stand_base_pos", 3, "three numbers [m]"),
         stand_base_quat=reader.numbers("stand_base_quat_wxyz", 4, "a quaternion [w, x, y, z]", [1.0, 0.0, 0.0, 0.0]),
         stand_keyframe=reader.value("stand_keyframe", str, "a keyframe's name", ""),
+        torque_limits=reader.table("torque_limits", "joint name -> torque limit [N m]", {}),
     )
 
 
@@ -345,6 +350,7 @@ def description_to_dict(description: RobotDescription) -> dict[str, Any]:
         "stand_base_pos": np.asarray(description.stand_base_pos).tolist(),
         "stand_base_quat_wxyz": np.asarray(description.stand_base_quat).tolist(),
         "stand_keyframe": description.stand_keyframe,
+        "torque_limits": dict(description.torque_limits),
     }  # fmt: skip
 
 

@@ -428,7 +428,7 @@ def test_settings_copy_pickle_compare_and_print():
         ({"footsteps": [0.1, "far"]}, r"footsteps = \[0.1, 'far'\] is of the wrong type"),
         ({"com_x_kp": "stiff"}, "com_x_kp = 'stiff' is of the wrong type"),
         ({"com_x_kp": None}, "com_x_kp = None is of the wrong type"),
-        ({"feed_forward": 1}, "feed_forward = 1 is of the wrong type; it is now True"),
+        ({"feed_forward": 1}, "feed_forward = 1 is of the wrong type; it must be true or false"),
         ({"max_iterations": 2.5}, "max_iterations = 2.5 is of the wrong type"),
     ],
 )

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,7 @@ struct WalkSettings {
   double singular_damping = 1e-3, singular_pivot = 1e-2;
   double friction_velocity = 0.02;
   std::string kernel = "auto";
+  std::map<std::string, double> torque_limits;
   // A fall
   double fall_height = 0.8, fall_tilt = 0.8, fall_foot_tilt = 0.3;
 };
@@ -126,6 +128,9 @@ void visit_settings(Settings& s, Visitor&& v) {
     "joint speed below which dry friction is taken as proportional to speed");
   v("kernel", s.kernel, "",
     "build of the inner loops: 'auto', the best that this processor runs, or one of build_info()['kernels']");
+  v("torque_limits", s.torque_limits, "N m",
+    "torque limits by joint name, in place of the robot's own; a motor still gives no more than the model lets "
+    "through");
   v("fall_height", s.fall_height, "",
     "COM height over the support foot, as a share of the start's, that counts as a fall");
   v("fall_tilt", s.fall_tilt, "rad", "trunk tilt that counts as a fall");

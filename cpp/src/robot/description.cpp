@@ -67,8 +67,8 @@ bool can_touch_ground(const mjModel* m, int body, int root_body) {
     if (belongs(g, root_body)) continue;
     others = others || m->geom_contype[g] || m->geom_conaffinity[g];
     for (int s = 0; s < m->ngeom && !collides; ++s)
-      collides = belongs(s, body) && ((m->geom_contype[s] & m->geom_conaffinity[g]) ||
-                                      (m->geom_contype[g] & m->geom_conaffinity[s]));
+      collides = belongs(s, body) &&
+                 ((m->geom_contype[s] & m->geom_conaffinity[g]) || (m->geom_contype[g] & m->geom_conaffinity[s]));
   }
   for (int p = 0; p < m->npair && !collides; ++p) {
     const int one = m->pair_geom1[p], two = m->pair_geom2[p];
@@ -173,10 +173,11 @@ void RobotDescription::check(const mjModel* m) const {
       if (!in_legs.insert(leg_joint).second)
         throw ModelError("joint '" + leg_joint + "' is listed twice among the leg joints");
       if (m->jnt_type[joint] != mjJNT_HINGE)
-        throw ModelError("leg joint '" + leg_joint + "' is no hinge; a leg is six hinges (write a ball joint as three)");
+        throw ModelError("leg joint '" + leg_joint +
+                         "' is no hinge; a leg is six hinges (write a ball joint as three)");
       if (joint < previous)
-        throw ModelError("the " + which + " leg's joints are not listed from hip to ankle: '" + leg_joint + "' comes before '" +
-                         object_name(m, mjOBJ_JOINT, previous) + "' in the model");
+        throw ModelError("the " + which + " leg's joints are not listed from hip to ankle: '" + leg_joint +
+                         "' comes before '" + object_name(m, mjOBJ_JOINT, previous) + "' in the model");
       previous = joint;
     }
     double bones = 0.0;  // hip to foot, along the bodies
@@ -185,9 +186,10 @@ void RobotDescription::check(const mjModel* m) const {
       bones += Eigen::Map<const Vec3>(m->body_pos + 3 * link).norm();
     }
     if (foot.length < kLeastLength * bones || foot.width < kLeastWidth * bones)
-      throw ModelError("point foot: the " + which + " sole is " + std::to_string(foot.length) + " x " + std::to_string(foot.width) +
-                       " m, too small for a leg of " + std::to_string(bones) + " m, which takes at least " +
-                       std::to_string(kLeastLength * bones) + " x " + std::to_string(kLeastWidth * bones) + " m");
+      throw ModelError("point foot: the " + which + " sole is " + std::to_string(foot.length) + " x " +
+                       std::to_string(foot.width) + " m, too small for a leg of " + std::to_string(bones) +
+                       " m, which takes at least " + std::to_string(kLeastLength * bones) + " x " +
+                       std::to_string(kLeastWidth * bones) + " m");
     if (!can_touch_ground(m, body, root_body))
       throw ModelError("the " + which + " foot '" + foot.body +
                        "' has no geom that can collide with anything but the robot; see contype and conaffinity");

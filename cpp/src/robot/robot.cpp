@@ -38,9 +38,10 @@ std::vector<int> tree_joints(const mjModel* m, int root) {
 }
 
 // What a start pose must be: soles level and on the ground, and legs that can move their soles in every direction.
-constexpr double kStandTilt = 0.02;      // [rad]
-constexpr double kStandHeight = 0.005;   // of a sole over the ground [m]
-constexpr double kLeastMobility = 1e-3;  // least over largest singular value of a leg's Jacobian, lengths in units of the leg
+constexpr double kStandTilt = 0.02;     // [rad]
+constexpr double kStandHeight = 0.005;  // of a sole over the ground [m]
+constexpr double kLeastMobility =
+    1e-3;  // least over largest singular value of a leg's Jacobian, lengths in units of the leg
 
 }  // namespace
 
@@ -119,9 +120,10 @@ void Robot::check_stand(const mjModel* m) const {
     J.topRows<3>() /= length;
     const Eigen::Matrix<double, 6, 1> mobility = Eigen::JacobiSVD<Eigen::Matrix<double, 6, 6>>(J).singularValues();
     if (!(mobility[5] > kLeastMobility * mobility[0]))
-      throw ModelError("the " + which +
-                       " leg cannot move its sole in every direction at the start pose: its knee is straight, or its six axes "
-                       "lack a roll, pitch or yaw");
+      throw ModelError(
+          "the " + which +
+          " leg cannot move its sole in every direction at the start pose: its knee is straight, or its six axes "
+          "lack a roll, pitch or yaw");
   }
   mj_tendon(m, data_.get());
   require_coupled_stand(m, {root_body_, {}}, data_.get());
@@ -200,9 +202,10 @@ void Robot::collect(const mjData* d) {
   out.g.noalias() = out.A.leftCols<3>() * (-out.gravity);
   out.drift_momentum = Eigen::Map<const VecX>(d->qfrc_bias + dof0_, nv_) - out.g;
   out.b = out.drift_momentum - Eigen::Map<const VecX>(d->qfrc_passive + dof0_, nv_);
+  const bool rubs = !(m_->opt.disableflags & mjDSBL_FRICTIONLOSS);
   for (int i = 6; i < nv_; ++i) {
     const double friction = m_->dof_frictionloss[dof0_ + i];
-    if (friction > 0.0) out.b[i] += friction * std::tanh(out.dq[i] / friction_velocity);
+    if (rubs && friction > 0.0) out.b[i] += friction * std::tanh(out.dq[i] / friction_velocity);
   }
 
   out.com = vec3(d->subtree_com + 3 * root_body_);

@@ -77,8 +77,7 @@ void check_equalities(const mjModel* m, const RobotTree& robot) {
           for (const int j : tendon_joints(m, second)) joints.push_back(j);
       }
       const Touch on = touch(m, robot, joints);
-      if (on.leg >= 0)
-        throw ModelError(name + " couples " + leg_joint(m, on.leg) + "; six free hinges are needed");
+      if (on.leg >= 0) throw ModelError(name + " couples " + leg_joint(m, on.leg) + "; six free hinges are needed");
       if (on.robot && (on.outside || on.base))
         throw ModelError(name + " couples the robot to what is not the robot; remove it to walk");
     }

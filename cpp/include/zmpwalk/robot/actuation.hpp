@@ -12,10 +12,10 @@ namespace zmpwalk {
 
 /// How the torque of one joint reaches MuJoCo.
 struct JointDrive {
-  int control = -1;      ///< entry of ctrl that takes it, ctrl = tau / scale; -1: it goes through qfrc_applied
-  double scale = 1.0;    ///< torque per unit of control, gear times gain [N m]
-  double limit = 0.0;    ///< torque limit [N m]; infinity where nothing limits it
-  std::string path;      ///< the same in words: "motor 'l_knee'", "qfrc_applied: position servo 'l_knee' is silenced"
+  int control = -1;    ///< entry of ctrl that takes it, ctrl = tau / scale; -1: it goes through qfrc_applied
+  double scale = 1.0;  ///< torque per unit of control, gear times gain [N m]
+  double limit = 0.0;  ///< torque limit [N m]; infinity where nothing limits it
+  std::string path;    ///< the same in words: "motor 'l_knee'", "qfrc_applied: position servo 'l_knee' is silenced"
 };
 
 /// Puts joint torques into an mjData, whatever drives the joints.
@@ -43,9 +43,9 @@ class Actuation {
 
   const mjModel* m_;
   std::vector<JointDrive> drives_;
-  std::vector<int> dofs_;      // of each joint
-  std::vector<int> silenced_;  // actuators
-  bool subtracts_ = false;     // something acts beside qfrc_applied
+  std::vector<int> dofs_;                       // of each joint
+  std::vector<int> silenced_;                   // actuators
+  bool subtracts_ = false;                      // something acts beside qfrc_applied
   int qpos0_ = 0, nq_ = 0, dof0_ = 0, nv_ = 0;  // of the robot's tree
 };
 
