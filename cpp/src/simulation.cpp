@@ -20,6 +20,9 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 /// Memory is set aside for walks up to this long; longer ones grow as they go [s].
 constexpr double kReservedTime = 300.0;
 
+/// Lowered by this much from its start pose, a robot's feet touch the floor, if there is one [m].
+constexpr double kTouchDepth = 0.002;
+
 /// MuJoCo warns and resets itself where a state is not finite or far too large.
 bool diverged(const mjData* d) {
   return d->warning[mjWARN_BADQPOS].number + d->warning[mjWARN_BADQVEL].number + d->warning[mjWARN_BADQACC].number > 0;
@@ -135,7 +138,15 @@ void Recorder::mark_fall() {
 
 Simulation::Simulation(WalkingController& controller)
     : controller_(controller), data_(mj_makeData(controller.robot().model())) {
-  controller.robot().description().place(controller.robot().model(), data_.get());
+  const Robot& robot = controller.robot();
+  robot.description().place(robot.model(), data_.get(), -kTouchDepth);
+  const MeasuredContact contact = measure_contact(robot, data_.get());
+  for (const Side side : kSides)
+    if (std::isnan(contact.wrench[6 * side]))
+      throw ModelError("at the start pose the foot '" + robot.description().feet[side].body +
+                       "' touches nothing: the model needs a floor at z = 0 that its feet collide with");
+  mj_resetData(robot.model(), data_.get());
+  robot.description().place(robot.model(), data_.get());
 }
 
 Simulation::~Simulation() = default;

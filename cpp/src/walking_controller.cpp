@@ -94,6 +94,8 @@ WalkingController::WalkingController(const mjModel* model, const RobotDescriptio
       result_(whole_body_.result()),
       J_c_(RowMatX::Zero(12, robot_.nv())),
       drift_c_(VecX::Zero(12)) {
+  if (model->opt.disableflags & (mjDSBL_CONTACT | mjDSBL_CONSTRAINT))
+    throw ModelError("the model's option flags switch contacts off; walking needs them");
   robot_.friction_velocity = settings_.friction_velocity;
   ticks_per_cycle_ = static_cast<int>(std::lround(settings_.control_dt / model->opt.timestep));
   f_star_.posture = VecX::Zero(robot_.joints());

@@ -34,8 +34,8 @@ def load_settings(path: str | os.PathLike, law: str | None = None, **changes: An
         The settings; what neither names stays the preset's.
 
     Raises:
-        InputError: no such file, not TOML, an unknown name (names the nearest), a value of the wrong kind. Values out of
-            range are refused by `WalkingController`, which knows the robot.
+        InputError: no such file, not TOML, an unknown name (names the nearest), a value of the wrong kind. Values
+            out of range are refused by `WalkingController`, which knows the robot.
 
     Usage: `zmpwalk.simulate("mahru", settings=zmpwalk.load_settings("walk.toml"))`
     """
@@ -81,8 +81,8 @@ def settings_toml(controller: WalkingController, given: WalkSettings) -> str:
     """
     in_force, changed, preset = (s.to_dict() for s in (controller.settings, given, WalkSettings(law=given.law)))
     lines = [
-        f"# Settings of a walk of {controller.description.name}: every value in force. A line behind # is a default, which may",
-        "# depend on the robot and on other settings; take the # away to set it.",
+        f"# Settings of a walk of {controller.description.name}: every value in force. A line behind # is a",
+        "# default, which may depend on the robot and on other settings; take the # away to set it.",
         f"law = {_toml(given.law)}",
     ]
     for name, (unit, meaning) in WalkSettings.table().items():

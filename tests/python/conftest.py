@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+import xml.etree.ElementTree as ET
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -186,6 +187,47 @@ def walked():
     import zmpwalk
 
     return zmpwalk.simulate("mahru", duration=1.5)
+
+
+def edited_mahru(*changes):
+    """The bundled robot's MJCF after each of `changes` has worked on its tree; without the sensors, which name things."""
+    from zmpwalk.description import ROBOTS
+
+    root = ET.parse(ROBOTS / "mahru.xml").getroot()
+    root.remove(root.find("sensor"))
+    for change in changes:
+        change(root)
+    return ET.tostring(root, encoding="unicode")
+
+
+def hang_pelvis_from_torso(root):
+    """Make the torso the floating base: the waist then stands between it and both legs. The robot stays the same."""
+    world = root.find("worldbody")
+    pelvis = world.find("body[@name='pelvis']")
+    torso = pelvis.find("body[@name='torso']")
+    world.remove(pelvis)
+    pelvis.remove(torso)
+    torso.set("pos", "0 0 0.85")
+    torso.set("childclass", pelvis.attrib.pop("childclass"))
+    waist, free = torso.find("joint"), pelvis.find("freejoint")
+    torso.remove(waist)
+    pelvis.remove(free)
+    waist.set("pos", "0 0 0.1")
+    pelvis.set("pos", "0 0 -0.1")
+    torso.insert(0, free)
+    pelvis.insert(0, waist)
+    torso.insert(1, pelvis)
+    world.append(torso)
+    key = root.find("keyframe/key")
+    qpos = key.get("qpos").split()
+    qpos[2] = str(float(qpos[2]) + 0.1)
+    key.set("qpos", " ".join([*qpos[:7], qpos[19], *qpos[7:19], *qpos[20:]]))
+
+
+@pytest.fixture(scope="session")
+def mahru_edited():
+    """`edited_mahru` and the change that puts the waist between base and legs."""
+    return SimpleNamespace(xml=edited_mahru, hang_pelvis_from_torso=hang_pelvis_from_torso)
 
 
 @pytest.fixture(scope="session")

@@ -61,6 +61,7 @@ struct RunResult {
 class Simulation {
  public:
   /// Places the robot at its start pose on z = 0 in an mjData of its own. `controller` must outlive the simulation.
+  /// @throws ModelError  a foot that touches nothing there
   explicit Simulation(WalkingController& controller);
   ~Simulation();
 

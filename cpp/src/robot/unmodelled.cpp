@@ -48,8 +48,6 @@ void check_world(const mjModel* m) {
     throw ModelError("gravity is (" + std::to_string(g[0]) + ", " + std::to_string(g[1]) + ", " + std::to_string(g[2]) +
                      ") m/s^2" + (m->opt.disableflags & mjDSBL_GRAVITY ? " and switched off" : "") +
                      "; zmpwalk walks where it points down along z");
-  if (m->opt.disableflags & (mjDSBL_CONTACT | mjDSBL_CONSTRAINT))
-    throw ModelError("the model's option flags switch contacts off; walking needs them");
   if (!(m->opt.timestep > 0.0) || !std::isfinite(m->opt.timestep))
     throw ModelError("the model's time step is " + std::to_string(m->opt.timestep) + " s; it must be greater than 0");
   if (mjcb_passive)

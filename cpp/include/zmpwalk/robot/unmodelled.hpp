@@ -14,7 +14,7 @@ struct RobotTree {
 
 /// Refuses what acts on the robot and is not in its equation of motion, so that no walk is silently wrong.
 ///
-/// Refused: no or tilted gravity, contacts switched off, a passive callback, plugins, flexes, adhesion; equality constraints that tie
+/// Refused: no or tilted gravity, a passive callback, plugins, flexes, adhesion; equality constraints that tie
 /// bodies of the robot or joints below the base; tendons that pull it to something else, rub, limit or drive a leg; actuators on bodies,
 /// sites, cranks, the base, or late ones. Fine: other trees, mocap bodies, fluids, springs and dampers (also of tendons), motors, servos
 /// and muscles at joints and in arms' tendons, and constraints that couple joints of arms (`require_coupled_stand`).
