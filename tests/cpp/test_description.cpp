@@ -70,9 +70,8 @@ BOOST_AUTO_TEST_CASE(a_model_that_cannot_walk_is_refused_with_what_is_missing) {
   refuses("<site name='left_sole'", "<site name='sole'", "it has sites: sole, right_sole");
   refuses("name='right_sole' type='box'", "name='right_sole' type='ellipsoid'", "'right_sole' is not a box");
   refuses("<key name='stand'", "<key name='home'", "no keyframe 'stand'");
-  refuses("<motor joint='lj3'/>", "", "joint 'lj3' has 0 motors");
-  refuses("<motor joint='lj3'/>", "<motor joint='lj3'/><motor joint='lj3'/>", "joint 'lj3' has 2 motors");
-  refuses("<motor joint='lj3'/>", "<position joint='lj3'/>", "is not a plain torque motor");
+  refuses("lj3' type='hinge'", "lj3' type='slide'", "leg joint 'lj3' is no hinge");
+  refuses("size='0.1 0.05 0.001'", "size='0.01 0.05 0.001'", "point foot: the left sole is 0.020000 x 0.100000 m");
 }
 
 BOOST_AUTO_TEST_CASE(a_robot_with_a_ball_joint_or_a_joint_without_start_value_is_refused) {
@@ -85,7 +84,8 @@ BOOST_AUTO_TEST_CASE(a_robot_with_a_ball_joint_or_a_joint_without_start_value_is
   };
   CHECK_THROWS(good.check(with("<joint name='tail' type='ball'/>").get()), ModelError,
                "joint 'tail' is neither hinge nor slide");
-  CHECK_THROWS(good.check(with("<joint name='tail'/>").get()), ModelError, "joint 'tail' has 0 motors");
+  CHECK_THROWS(good.check(with("<joint name='tail'/>").get()), ModelError, "no value for joint 'tail'");
+  CHECK_THROWS(good.check(with("<joint/>").get()), ModelError, "at body 'tail' has no name");
 }
 
 BOOST_AUTO_TEST_CASE(a_description_with_a_wrong_name_or_number_is_refused) {
@@ -151,5 +151,5 @@ BOOST_AUTO_TEST_CASE(a_motor_that_can_only_push_is_refused) {
   const ModelPtr m = load_text(replaced(mahru_text(), "<motor class=\"knee\" name=\"l_knee\"",
                                         "<motor class=\"knee\" ctrlrange=\"5 9\" name=\"l_knee\""));
   CHECK_THROWS(Robot(m.get(), describe(m.get())), ModelError,
-               "motor of joint 'l_knee' has a control range without 0 inside");
+               "motor of joint 'l_knee' has a ctrl range without 0 inside");
 }

@@ -166,3 +166,11 @@ BOOST_AUTO_TEST_CASE(cycle_in_a_scene_allocates_nothing) {
   const ModelPtr scene = mahru_in_a_scene();
   stays_off_the_heap(walk(1.0, WalkSettings(), scene.get()));
 }
+
+BOOST_AUTO_TEST_CASE(cycle_that_silences_servos_allocates_nothing) {
+  std::string text = mahru_text();
+  for (std::size_t at = text.find("<actuator>"); (at = text.find("<motor class=", at)) < text.find("</actuator>");)
+    text.replace(at, text.find(" name=", at) - at, "<position kp=\"300\"");
+  const ModelPtr servos = load_text(text);
+  stays_off_the_heap(walk(1.0, WalkSettings(), servos.get()));
+}

@@ -186,6 +186,24 @@ BOOST_AUTO_TEST_CASE(torque_goes_to_the_motor_of_each_joint_by_name) {
                     20 * at.robot.torque_limit()[at.robot.leg_joints()[kRight][3]]);
 }
 
+BOOST_AUTO_TEST_CASE(torque_reaches_a_joint_past_its_servo) {
+  // A position servo that its ctrlrange and forcerange both clip: 300 (0.1 - 0.785) is cut to -50 N m.
+  const ModelPtr m = load_text(
+      replaced(mahru_text(), "<motor class=\"knee\" name=\"l_knee\"",
+               "<position kp=\"300\" ctrlrange=\"-0.1 0.1\" forcerange=\"-50 50\" name=\"l_knee\""));
+  Placed at(m.get(), 9);
+  const VecX tau = Numbers(10).vector(at.robot.joints(), 10.0);
+  at.robot.write_torque(tau, at.data.get());
+  mj_forward(m.get(), at.data.get());
+  const int knee = at.robot.leg_joints()[kLeft][3], dof = at.robot.dof_address() + 6 + knee;
+  const Eigen::Map<const VecX> actuators(at.data->qfrc_actuator, m->nv), applied(at.data->qfrc_applied, m->nv);
+  CHECK_NEAR((actuators + applied).tail(at.robot.joints()), tau, 1e-12);
+  BOOST_CHECK_EQUAL(actuators[dof], -50.0);
+  BOOST_CHECK_EQUAL(at.robot.torque_limit()[knee], 50.0);
+  BOOST_CHECK_EQUAL(at.robot.drives()[knee].path, "qfrc_applied: position servo 'l_knee' is silenced");
+  BOOST_CHECK_EQUAL((applied.array() != 0.0).count(), 1);
+}
+
 BOOST_AUTO_TEST_CASE(robot_knows_its_legs) {
   const Placed at(mahru());
   BOOST_CHECK_EQUAL(at.robot.joints(), 25);

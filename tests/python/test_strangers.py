@@ -1,3 +1,4 @@
+# ruff: noqa: E501  (MJCF in one line)
 """Models as people bring them: any actuators, bases and chains walk; what is not modelled is refused in one line."""
 
 import re
@@ -106,8 +107,8 @@ def build(mahru_edited, mahru):
 
     def make(*changes):
         own_inertia = put("compiler", inertiafromgeom="auto")  # what is added weighs what its geoms do
-        xml = mahru_edited.xml(own_inertia, 
-            *(named.get(change, change) if isinstance(change, str) else change for change in changes)
+        xml = mahru_edited.xml(
+            own_inertia, *(named.get(change, change) if isinstance(change, str) else change for change in changes)
         )
         return mujoco.MjModel.from_xml_string(xml)
 
@@ -179,8 +180,8 @@ if NEW:
         "implicitfast steps": [put("option", integrator="implicitfast")],
         "discrete steps": [put("option", integrator="discrete")],
         "motors of a group that is switched off": [actuators(lambda j, t: f'<motor joint="{j}" group="2"/>'), put("option", actuatorgroupdisable="2")],
-        "gravity compensation through the motors": [put(".//body", gravcomp="0.5"), put("worldbody//joint", actuatorgravcomp="true")],
-        "gravity compensation": [put(".//body[@name='torso']", gravcomp="0.5")],
+        "gravity compensation through the motors": [put(".//body", gravcomp="0.25"), put("worldbody//joint", actuatorgravcomp="true")],
+        "gravity compensation": [put(body("torso"), gravcomp="0.5")],
         "limits on the joints": [actuators(lambda j, t: f'<motor joint="{j}"/>'), put("worldbody//joint", actuatorfrcrange="-140 140")],
     })  # fmt: skip
 
@@ -289,7 +290,10 @@ def test_limits_come_from_model_description_and_settings(build, mahru):
     plain["torque_limits"] = {"l_hip_yaw": 70.0, "l_ankle_roll": 60.0, "r_ankle_roll": 500.0}
     description = description_from_dict(plain)
     controller = zmpwalk.WalkingController(
-        model, description, WalkSettings(torque_limits={"l_hip_yaw": 66, "r_hip_yaw": 55}), VelocityProfile.constant(0.1)
+        model,
+        description,
+        WalkSettings(torque_limits={"l_hip_yaw": 66, "r_hip_yaw": 55}),
+        VelocityProfile.constant(0.1),
     )
     limit = dict(zip(controller.joint_names, controller.torque_limit))
     assert limit["l_hip_yaw"] == 66.0  # the settings have the last word
@@ -323,6 +327,7 @@ KNEE_TENDON = '<fixed name="band" {}><joint joint="l_knee" coef="1"/></fixed>'
 ELBOW_TENDON = KNEE_TENDON.replace("l_knee", "l_elbow")
 HOOK = add("worldbody", '<site name="hook" pos="0 0 3"/>')
 ROPE = '<spatial name="rope" {}><site site="hook"/><site site="imu"/></spatial>'
+SKIRT = '<flex name="skirt" dim="2" body="torso torso pelvis" vertex="0 0 0 0.1 0 0 0 0.1 0" element="0 1 2"/>'
 HEAD = '<body name="head_2" pos="0 0 0.4"><joint name="neck" {}/><geom size="0.05" mass="1"/></body>'
 
 REFUSED = {
@@ -354,6 +359,8 @@ REFUSED = {
 if NEW:
     REFUSED.update({
         "motors that answer late": ([actuators(lambda j, t: f'<motor name="{j}" joint="{j}" delay="0.004" nsample="5"/>', "l_knee")], "actuator 'l_knee' of the robot delays its control"),
+        "a robot that floats": ([put(".//body", gravcomp="0.5")], "lifts 50.0"),
+        "a skirt": ([add("deformable", SKIRT)], "body 'pelvis': a flex is attached to it"),
         "a tendon with a rotor": ([add("tendon", ELBOW_TENDON.format('armature="1"'))], "has armature"),
         "geoms that stick": ([put(".//default[@class='sole_box']/geom", adhesion="5")], "its geoms stick"),
     })  # fmt: skip

@@ -46,6 +46,7 @@ bool is_immediate(const mjModel* m, int) { return !(m->opt.disableflags & mjDSBL
 std::string unforeseeable(const mjModel*, int) { return ""; }
 double joint_force_limit(const mjModel*, int) { return std::numeric_limits<double>::infinity(); }
 bool compensates_gravity_by_actuator(const mjModel*, int) { return false; }
+double gravity_compensation(const mjModel*, int) { return 0.0; }
 bool is_active(const mjModel* m, int equality) {
   return m->eq_active[equality] && !(m->opt.disableflags & mjDSBL_EQUALITY);
 }
@@ -79,6 +80,7 @@ double joint_force_limit(const mjModel* m, int joint) {
 }
 
 bool compensates_gravity_by_actuator(const mjModel* m, int joint) { return m->jnt_actgravcomp[joint]; }
+double gravity_compensation(const mjModel* m, int body) { return m->body_gravcomp[body]; }
 
 bool is_active(const mjModel* m, int equality) {
   return m->eq_active0[equality] && !(m->opt.disableflags & mjDSBL_EQUALITY);

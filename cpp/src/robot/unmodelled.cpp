@@ -15,6 +15,9 @@ namespace {
 /// By how much a coupling may be off at the start pose [rad or m].
 constexpr double kCouplingTolerance = 1e-3;
 
+/// Share of the weight that gravity compensation, which pulls the bodies up, may take: the pendulum is planned with all of it.
+constexpr double kMostCompensation = 0.3;
+
 std::string label(const mjModel* m, mjtObj type, int id) {
   const std::string name = object_name(m, type, id);
   return "'" + (name.empty() ? std::to_string(id) : name) + "'";
@@ -139,11 +142,17 @@ double coupling_error(const mjtNum* poly, double y, double x) {
 
 void require_modelled(const mjModel* m, const RobotTree& robot) {
   check_world(m);
+  double lifted = 0.0;
   for (int body = 1; body < m->nbody; ++body) {
     if (!is_robot(m, robot, body)) continue;
+    lifted += mujoco_compat::gravity_compensation(m, body) * m->body_mass[body] / m->body_subtreemass[robot.root_body];
     const std::string what = mujoco_compat::unmodelled_on(m, body);
     if (!what.empty()) throw ModelError("body " + label(m, mjOBJ_BODY, body) + ": " + what + "; it is not modelled");
   }
+  if (std::abs(lifted) > kMostCompensation)
+    throw ModelError("gravity compensation (gravcomp) lifts " + std::to_string(100.0 * lifted) +
+                     " % of the robot's weight; more than " + std::to_string(100.0 * kMostCompensation) +
+                     " % is no walk on feet");
   check_equalities(m, robot);
   check_tendons(m, robot);
   check_actuators(m, robot);

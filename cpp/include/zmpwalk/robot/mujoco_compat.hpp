@@ -39,6 +39,9 @@ double joint_force_limit(const mjModel* m, int joint);
 /// The joint's gravity compensation counts as a force of its actuators.
 bool compensates_gravity_by_actuator(const mjModel* m, int joint);
 
+/// Weight of `body` that its gravity compensation lifts, as a share.
+double gravity_compensation(const mjModel* m, int body);
+
 /// The equality constraint holds from the start.
 bool is_active(const mjModel* m, int equality);
 /// The two bodies that a connect or weld ties.
