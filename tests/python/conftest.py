@@ -190,7 +190,7 @@ def walked():
 
 
 def edited_mahru(*changes):
-    """The bundled robot's MJCF after each of `changes` has worked on its tree; without the sensors, which name things."""
+    """The bundled robot's MJCF after each of `changes` has worked on its tree, its sensors gone."""
     from zmpwalk.description import ROBOTS
 
     root = ET.parse(ROBOTS / "mahru.xml").getroot()
