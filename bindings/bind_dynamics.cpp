@@ -101,7 +101,7 @@ void bind_dynamics(py::module_& m) {
       .def_property_readonly(
           "torque_path", [](const PyRobot& r) { return torque_path(r.robot); },
           "how each joint's torque reaches MuJoCo, by joint name: \"motor 'l_knee'\", \"qfrc_applied: position servo "
-          "'l_knee' is\nsilenced\", ...")
+          "'l_knee' is silenced\", ...")
       .def_property_readonly(
           "torque_limit", [](const PyRobot& r) { return r.robot.torque_limit(); }, "(joints,) [N m]")
       .def_property_readonly(

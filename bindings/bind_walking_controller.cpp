@@ -95,7 +95,7 @@ void bind_walking_controller(py::module_& m) {
       .def_property_readonly(
           "torque_path", [](const WalkingController& c) { return torque_path(c.robot()); },
           "how each joint's torque reaches MuJoCo, by joint name: \"motor 'l_knee'\", \"qfrc_applied: position servo "
-          "'l_knee' is\nsilenced\", ...")
+          "'l_knee' is silenced\", ...")
       .def_property_readonly(
           "torque_limit", [](const WalkingController& c) { return c.robot().torque_limit(); }, "(nu,) [N m]")
       .def_property_readonly(

@@ -31,6 +31,8 @@ __all__: list[str] = [
     "WholeBodyResult",
     "ZmpEstimate",
     "ZmpEstimator",
+    "benchmark_cycle",
+    "build_info",
     "describe",
     "distribute_wrench",
     "iterate_reference",
@@ -45,6 +47,11 @@ __all__: list[str] = [
 
 class WalkSettings:
     __hash__: typing.ClassVar[None] = None
+    @staticmethod
+    def table() -> dict:
+        """
+        Every setting's (unit, meaning) by name, in the order of `to_dict`.
+        """
     def __copy__(self) -> WalkSettings: ...
     def __deepcopy__(self, arg0: dict) -> WalkSettings: ...
     def __eq__(self, arg0: WalkSettings) -> bool: ...
@@ -103,6 +110,8 @@ class WalkSettings:
             singular_damping: damping of the motion where a leg is straight. Default 0.001.
             singular_pivot: pivot below which a leg counts as straight. Default 0.01.
             friction_velocity: joint speed below which dry friction is taken as proportional to speed [rad/s]. Default 0.02.
+            kernel: build of the inner loops: 'auto', the best that this processor runs, or one of build_info()['kernels']. Default 'auto'.
+            torque_limits: torque limits by joint name, in place of the robot's own; a motor still gives no more than the model lets through [N m]. Default {}.
             fall_height: COM height over the support foot, as a share of the start's, that counts as a fall. Default 0.8.
             fall_tilt: trunk tilt that counts as a fall [rad]. Default 0.8.
             fall_foot_tilt: tilt of the foot that stands alone that counts as a fall [rad]. Default 0.3.
@@ -302,6 +311,13 @@ class WalkSettings:
     @iteration.setter
     def iteration(self, arg1: typing.Any) -> None: ...
     @property
+    def kernel(self) -> typing.Any:
+        """
+        build of the inner loops: 'auto', the best that this processor runs, or one of build_info()['kernels']
+        """
+    @kernel.setter
+    def kernel(self, arg1: typing.Any) -> None: ...
+    @property
     def lateral_feedback(self) -> typing.Any:
         """
         shift the lateral reference ZMP so that the orbit repeats; False: (17) alone
@@ -418,6 +434,13 @@ class WalkSettings:
         """
     @textbook.setter
     def textbook(self, arg1: typing.Any) -> None: ...
+    @property
+    def torque_limits(self) -> typing.Any:
+        """
+        torque limits by joint name, in place of the robot's own; a motor still gives no more than the model lets through [N m]
+        """
+    @torque_limits.setter
+    def torque_limits(self, arg1: typing.Any) -> None: ...
     @property
     def tracker(self) -> typing.Any:
         """
@@ -597,6 +620,7 @@ class RobotDescription:
         stand_base_pos: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"],
         stand_base_quat: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[4, 1]"] = ...,
         stand_keyframe: str = "",
+        torque_limits: collections.abc.Mapping[str, typing.SupportsFloat | typing.SupportsIndex] = {},
     ) -> None: ...
     def check(self, model: typing.Any) -> None:
         """
@@ -639,6 +663,11 @@ class RobotDescription:
         """
     @property
     def stand_keyframe(self) -> str: ...
+    @property
+    def torque_limits(self) -> dict[str, float]:
+        """
+        by joint name, in place of the model's [N m]
+        """
 
 class SoleState:
     """
@@ -838,6 +867,11 @@ class Robot:
     def torque_limit(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
         """
         (joints,) [N m]
+        """
+    @property
+    def torque_path(self) -> dict:
+        """
+        how each joint's torque reaches MuJoCo, by joint name: "motor 'l_knee'", "qfrc_applied: position servo 'l_knee' is silenced", ...
         """
 
 class ContactSpace:
@@ -1619,6 +1653,25 @@ class WalkingController:
             ModelError: the robot cannot be walked.
             InputError: a setting breaks a rule, or the profile is faster than the legs reach.
         """
+    def plan(
+        self,
+        duration: typing.SupportsFloat | typing.SupportsIndex = 3.2,
+        dt: typing.SupportsFloat | typing.SupportsIndex = 0.01,
+    ) -> dict:
+        """
+        Footsteps, COM and ZMP ahead of time, for a robot that does as it is told, from where the last reset was.
+
+        Args:
+            duration: [s].
+            dt: time step of the plan [s].
+
+        Returns:
+            dict: t (T,) [s], com, dcom, zmp (T, 2) [m, m/s], W; support (T,), +1 left, -1 right; steps, a list of dicts
+            foot, lift_off, touch_down [s], place (x, y, yaw).
+
+        Raises:
+            InputError.
+        """
     def plan_mismatch(self, duration: typing.SupportsFloat | typing.SupportsIndex) -> float:
         """
         Largest speed of the footsteps minus the planned one within `duration` [s]; 0 where steps follow the profile [m/s].
@@ -1630,12 +1683,18 @@ class WalkingController:
         Raises:
             InputError: the state is not finite.
         """
-    def update(self, data: typing.Any) -> CycleOutput:
+    def update(self, data: typing.Any, after_step1: bool = False) -> CycleOutput:
         """
         Computes the torque for the state in `data`, writes data.ctrl, returns a copy of what was decided.
 
+        Args:
+            data: mujoco.MjData.
+            after_step1: mj_step1 (or mj_forward) has just run for this state, so that `data` holds kinematics,
+                inertia and bias forces already; the torque has the same bits, in half the time.
+
         Raises:
-            InputError: the state is not finite, or reset() was not called; nothing is changed.
+            InputError: the state is not finite, its terms belong to another, or reset() was not called; nothing is
+                changed.
         """
     def zmp_bounds(
         self, side: str
@@ -1682,6 +1741,11 @@ class WalkingController:
         """
         (nu,) [N m]
         """
+    @property
+    def torque_path(self) -> dict:
+        """
+        how each joint's torque reaches MuJoCo, by joint name: "motor 'l_knee'", "qfrc_applied: position servo 'l_knee' is silenced", ...
+        """
 
 class Recorder:
     """
@@ -1695,8 +1759,45 @@ class Recorder:
         """
     def columns(self) -> dict:
         """
-        Columns by name, (T,) or (T, n).
+        Columns by name, (T,) or (T, n): a copy.
         """
+
+def benchmark_cycle(
+    model: typing.Any,
+    description: RobotDescription,
+    settings: WalkSettings,
+    profile: VelocityProfile,
+    duration: typing.SupportsFloat | typing.SupportsIndex,
+    textbook_every: typing.SupportsInt | typing.SupportsIndex = 20,
+    on_progress: typing.Any = None,
+) -> dict:
+    """
+    Times the parts of every cycle of a walk side by side.
+
+    Args:
+        duration: simulated time [s].
+        textbook_every: equations as printed are timed in each n-th cycle; 0 never.
+        on_progress: called as f(t, duration) about 20 times a second; may raise.
+
+    Returns:
+        columns by name, (T,), times in microseconds: phase (0 double, 1 single support), in_loop, from_scratch, step,
+        terms, terms_from_scratch, algebra, iteration, other, textbook, difference (of textbook and algebra, relative).
+
+    Raises:
+        ModelError, InputError as WalkingController; InputError for a Runge-Kutta integrator.
+    """
+
+def build_info() -> dict:
+    """
+    How this copy was built, and what it runs here.
+
+    Returns:
+        dict: version, mujoco (compiled against), compiler, kernels (builds of the inner loops that this processor runs),
+        kernel (the one that 'auto' takes).
+
+    Usage:
+        >>> zmpwalk.build_info()['kernel']
+    """
 
 def describe(model: typing.Any) -> RobotDescription:
     """
