@@ -1,5 +1,6 @@
 #include "common.hpp"
 #include "zmpwalk/robot/description.hpp"
+#include "zmpwalk/robot/robot.hpp"
 
 using namespace zmpwalk;
 
@@ -52,6 +53,23 @@ void bind_description(py::module_& m) {
       .def(
           "check", [](const RobotDescription& d, const py::object& model) { d.check(model_of(model)); }, "model"_a,
           "Raises ModelError unless this robot is in `model` and can be walked.")
+      .def(
+          "drives",
+          [](const RobotDescription& d, const py::object& model) {
+            const mjModel* m = model_of(model);
+            d.check(m);
+            const std::vector<int> joints = tree_joints(m, m->jnt_bodyid[d.free_joint(m)]);
+            const Actuation actuation(m, joints, d.torque_limits);
+            py::dict out;
+            for (std::size_t j = 0; j < joints.size(); ++j)
+              out[py::str(object_name(m, mjOBJ_JOINT, joints[j]))] =
+                  py::make_tuple(actuation.drives()[j].limit, actuation.drives()[j].path);
+            return out;
+          },
+          "model"_a,
+          "Torque limit [N m], infinite without, and way of the torque (see WalkingController.torque_path), by joint "
+          "name.\n\n"
+          "Raises:\n    ModelError: as check().")
       .def(
           "place",
           [](const RobotDescription& d, const py::object& model, const py::object& data, double ground) {

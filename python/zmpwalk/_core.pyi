@@ -626,6 +626,13 @@ class RobotDescription:
         """
         Raises ModelError unless this robot is in `model` and can be walked.
         """
+    def drives(self, model: typing.Any) -> dict:
+        """
+        Torque limit [N m], infinite without, and way of the torque (see WalkingController.torque_path), by joint name.
+
+        Raises:
+            ModelError: as check().
+        """
     def place(
         self, model: typing.Any, data: typing.Any, ground: typing.SupportsFloat | typing.SupportsIndex = 0.0
     ) -> None:

@@ -21,7 +21,6 @@ __all__ = [
     "describe",
     "load_robot",
     "read_description",
-    "torque_limits",
 ]
 
 ROBOTS = Path(__file__).resolve().parent / "robots"
@@ -352,49 +351,6 @@ def description_to_dict(description: RobotDescription) -> dict[str, Any]:
         "stand_keyframe": description.stand_keyframe,
         "torque_limits": dict(description.torque_limits),
     }  # fmt: skip
-
-
-def torque_limits(model: mujoco.MjModel) -> np.ndarray:
-    """The largest torque each actuator can put on its joint.
-
-    Args:
-        model: with joint motors.
-
-    Returns:
-        (nu,) [N m]; infinite where nothing limits it. The tighter of the actuator's control and force range and,
-        where MuJoCo has it, the joint's own.
-
-    Usage: `zmpwalk.description.torque_limits(model)`
-    """
-    limits = np.full(model.nu, np.inf)
-    for i in range(model.nu):
-        gear = abs(model.actuator_gear[i, 0])
-        is_motor = model.actuator_biastype[i] == mujoco.mjtBias.mjBIAS_NONE  # else ctrl is not a torque
-        if is_motor and model.actuator_ctrllimited[i]:
-            limits[i] = gear * abs(model.actuator_gainprm[i, 0]) * abs(model.actuator_ctrlrange[i]).max()
-        if model.actuator_forcelimited[i]:
-            limits[i] = min(limits[i], gear * abs(model.actuator_forcerange[i]).max())
-        if not _turns_joint(model, i):
-            continue
-        joint = model.actuator_trnid[i, 0]
-        if getattr(model, "jnt_actfrclimited", np.zeros(model.njnt))[joint]:
-            limits[i] = min(limits[i], abs(model.jnt_actfrcrange[joint]).max())
-    return limits
-
-
-def _turns_joint(model: mujoco.MjModel, actuator: int) -> bool:
-    """The actuator's transmission is a joint, not a tendon, site or body."""
-    kinds = (mujoco.mjtTrn.mjTRN_JOINT, mujoco.mjtTrn.mjTRN_JOINTINPARENT)
-    return int(model.actuator_trntype[actuator]) in [int(kind) for kind in kinds]
-
-
-def joint_torque_limits(model: mujoco.MjModel) -> dict[int, float]:
-    """Torque limit [N m] by joint number, of the joints that have a motor; infinite where nothing limits it.
-
-    Usage: `joint_torque_limits(model).get(3)`
-    """
-    limits = torque_limits(model).tolist()
-    return {int(model.actuator_trnid[i, 0]): limits[i] for i in range(model.nu) if _turns_joint(model, i)}
 
 
 def _id(model: mujoco.MjModel, kind: str, name: str) -> int:

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import zmpwalk
 from zmpwalk import InputError, ModelError
-from zmpwalk.description import ROBOTS, description_from_dict, description_to_dict, torque_limits
+from zmpwalk.description import ROBOTS, description_from_dict, description_to_dict
 from zmpwalk.proposal.table import inspect_robot
 
 MAHRU = ROBOTS / "mahru.xml"
@@ -181,20 +181,6 @@ def test_description_of_another_robot_is_refused(robot_json):
 def test_dictionary_form_is_exact(mahru):
     plain = description_to_dict(mahru[1])
     assert description_to_dict(description_from_dict(json.loads(json.dumps(plain)))) == plain
-
-
-def test_torque_limit_is_the_tighter_of_control_and_force_range():
-    actuators = (
-        '<motor joint="a" ctrllimited="true" ctrlrange="-5 5" gear="3"/>'
-        '<motor joint="b" ctrllimited="true" ctrlrange="-5 5" forcelimited="true" forcerange="-2 2"/>'
-        '<motor joint="c"/>'
-        '<position joint="d" kp="100" ctrllimited="true" ctrlrange="-1 1" forcelimited="true" forcerange="-7 7"/>'
-    )
-    joints = "".join(f'<body><joint name="{name}"/><geom size="1"/></body>' for name in "abcd")
-    model = mujoco.MjModel.from_xml_string(
-        f"<mujoco><worldbody>{joints}</worldbody><actuator>{actuators}</actuator></mujoco>"
-    )
-    assert torque_limits(model).tolist() == [15.0, 2.0, np.inf, 7.0]
 
 
 def test_inspection_counts_the_paper_s_25_joints(mahru):

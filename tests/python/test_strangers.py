@@ -151,6 +151,7 @@ WALKS = {
     "servos with an integrator": [actuators(lambda j, t: f'<general joint="{j}" dyntype="integrator" gainprm="50" biastype="affine" biasprm="3 -50 -1"/>')],
     "muscles at the knees": [actuators(lambda j, t: f'<muscle joint="{j}" force="500" lengthrange="-1 3"/>', "knee")],
     "two motors a knee": [actuators(lambda j, t: f'<motor joint="{j}" ctrlrange="-80 80"/>' * 2, "knee")],
+    "no actuators at all": [actuators(lambda j, t: "")],
     "arms without actuators": [actuators(lambda j, t: "", ARM)],
     "actuation switched off": [add("option", '<flag actuation="disable"/>')],
     "welded arms": [fixed(ARM), THIN_ARMS],
@@ -190,7 +191,7 @@ if NEW:
 def test_it_walks_and_the_estimate_is_the_contacts(build, kind):
     changes = [lift_keyframe if change == "keyframe_up" else change for change in WALKS[kind]]
     model = build(*changes)
-    trace = zmpwalk.simulate((model, zmpwalk._core.describe(model)), duration=2.8)
+    trace = zmpwalk.simulate(model, duration=2.8)
     summary = trace.summary()
     assert not summary["fell"]
     assert not trace.saturated.any()
@@ -246,6 +247,10 @@ def test_exactly_the_torque_reaches_the_joints(build, kind, hold):
         assert not data.qfrc_applied[:6].any()
 
 
+def robot_drives(model):
+    return zmpwalk._core.describe(model).drives(model)
+
+
 def test_torque_path_is_told(build):
     model = build(
         actuators(lambda j, t: POSITION.format(j, t), "ankle"), actuators(lambda j, t: "", "elbow"),
@@ -253,6 +258,12 @@ def test_torque_path_is_told(build):
     )  # fmt: skip
     robot = zmpwalk.Robot(model, zmpwalk._core.describe(model))
     path = robot.torque_path
+    assert {joint: way for joint, (_, way) in robot_drives(model).items()} == path
+    remarks = zmpwalk.propose(model).remarks
+    assert (
+        "the torque of 4 joints (l_ankle_pitch, l_ankle_roll, r_ankle_pitch, ...) goes through qfrc_applied: position servo is silenced"
+        in remarks
+    )
     assert list(path) == robot.joint_names
     assert path["l_knee"] == "motor 'l_knee'"
     assert path["l_ankle_roll"] == "qfrc_applied: position servo 'l_ankle_roll' is silenced"
@@ -300,6 +311,7 @@ def test_limits_come_from_model_description_and_settings(build, mahru):
     assert limit["r_hip_yaw"] == 55.0
     assert np.isinf(limit["l_hip_roll"])
     assert limit["l_knee"] == 65.0  # 60 of the motor, the weaker way, and 5 of the servo
+    assert limit["l_knee"] == description.drives(model)["l_knee"][0]
     assert limit["l_ankle_roll"] == 60.0
     assert limit["r_ankle_roll"] == 80.0  # a motor gives no more than the model lets through
     assert description_from_dict(description_to_dict(controller.description)).torque_limits["r_hip_yaw"] == 55.0

@@ -67,6 +67,13 @@ double limit_of(const mjModel* m, int a, const std::string& joint) {
 
 }  // namespace
 
+std::vector<int> tree_joints(const mjModel* m, int root) {
+  std::vector<int> joints;
+  for (int j = 0; j < m->njnt; ++j)
+    if (m->body_rootid[m->jnt_bodyid[j]] == root && m->jnt_type[j] != mjJNT_FREE) joints.push_back(j);
+  return joints;
+}
+
 std::vector<int> tendon_joints(const mjModel* m, int tendon) {
   std::vector<int> joints, bodies;
   for (int w = m->tendon_adr[tendon]; w < m->tendon_adr[tendon] + m->tendon_num[tendon]; ++w) {

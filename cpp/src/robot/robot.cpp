@@ -29,14 +29,6 @@ int tree_nv(const mjModel* m, int root) {
   return count;
 }
 
-/// Hinges and slides of the same tree, in the order of their dofs.
-std::vector<int> tree_joints(const mjModel* m, int root) {
-  std::vector<int> joints;
-  for (int j = 0; j < m->njnt; ++j)
-    if (m->body_rootid[m->jnt_bodyid[j]] == root && m->jnt_type[j] != mjJNT_FREE) joints.push_back(j);
-  return joints;
-}
-
 // What a start pose must be: soles level and on the ground, and legs that can move their soles in every direction.
 constexpr double kStandTilt = 0.02;     // [rad]
 constexpr double kStandHeight = 0.005;  // of a sole over the ground [m]

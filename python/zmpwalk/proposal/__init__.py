@@ -19,13 +19,12 @@ from .. import _core
 from .._core import Foot, RobotDescription
 from ..description import Robot, description_to_dict, read_robot, renamed
 from ..errors import Error, InputError, ModelError
-from . import refusals
 from .legs import find_robot
 from .remarks import find_remarks
 from .soles import remark_soles
 from .stand import find_stand
 from .table import inspect_robot
-from .tree import GEOM, JNT, OBJ, Found, Tree, body_label, find_id, name_of
+from .tree import GEOM, JNT, OBJ, Found, body_label, name_of
 
 __all__ = ["Proposal", "appraise", "examine", "is_marked", "propose", "write_description"]
 
@@ -62,10 +61,6 @@ def propose(model: mujoco.MjModel) -> Proposal:
     """
     if is_marked(model):
         description, remarks = _core.describe(model), []
-        names = description.left.leg_joints + description.right.leg_joints
-        joints = [find_id(model, OBJ.mjOBJ_JOINT, name) for name in names]
-        tree = Tree(model, model.jnt_bodyid[joints[0]])
-        refusals.refuse([*refusals.ties(tree, joints), *refusals.drives(model, joints)])
     else:
         robot = find_robot(model)
         description, remarks = _describe(robot), robot.remarks

@@ -7,7 +7,6 @@ from typing import Iterable, Iterator
 import mujoco
 import numpy as np
 
-from ..description import joint_torque_limits
 from ..errors import ModelError
 from .tree import EQ, GEOM, JNT, OBJ, TRN, Found, Side, Tree, body_label, joint_names, name_of, tendon_joints
 
@@ -85,23 +84,14 @@ def ties(tree: Tree, leg_joints: list[int]) -> Iterator[str]:
 
 
 def drives(model: mujoco.MjModel, leg_joints: list[int]) -> Iterator[str]:
-    """Leg joints that a tendon drives, or nothing."""
-    driven = set(joint_torque_limits(model))
-    for a in (a for a in range(model.nu) if model.actuator_trntype[a] == TRN.mjTRN_TENDON):
+    """Leg joints that a tendon drives."""
+    for a in (a for a in range(len(model.actuator_trntype)) if model.actuator_trntype[a] == TRN.mjTRN_TENDON):
         pulled = [j for j in tendon_joints(model, int(model.actuator_trnid[a, 0])) if j in leg_joints]
         if pulled:
-            driven.update(pulled)
             yield (
                 f"actuator '{name_of(model, OBJ.mjOBJ_ACTUATOR, a) or a}' drives leg joint "
                 f"'{joint_names(model, pulled[:1])}' through a tendon; each leg joint needs a motor of its own"
             )
-    without = [j for j in leg_joints if j not in driven]
-    if without:
-        first, others = joint_names(model, without[:1]), f" (and {len(without) - 1} others)" if without[1:] else ""
-        yield (
-            f"leg joint '{first}'{others} has no actuator; each leg joint needs a motor "
-            f'(<motor joint="{first}" ctrlrange="-tau tau"/>)'
-        )
 
 
 def feet(robot: Found) -> Iterator[str]:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import re
+
 import mujoco
 import numpy as np
 
 from .._core import RobotDescription
-from ..description import joint_torque_limits, sole_pose
+from ..description import sole_pose
 from .tree import EQ, GEOM, OBJ, Tree, body_label, find_id, joint_names, name_of, root_body, tendon_joints
 
 
@@ -17,15 +19,19 @@ def find_remarks(model: mujoco.MjModel, description: RobotDescription) -> list[s
     description.place(model, data)
     root = root_body(model, description)
     tree = Tree(model, root)
-    limit = joint_torque_limits(model)
+    drives = description.drives(model)
     names = list(description.left.leg_joints) + list(description.right.leg_joints)
-    legs = [find_id(model, OBJ.mjOBJ_JOINT, name) for name in names]
-    endless = [j for j in legs if not np.isfinite(limit.get(j, np.inf))]
+    endless = [name for name in names if not np.isfinite(drives[name][0])]
     if endless:
-        which = (
-            "no leg joint" if len(endless) == len(legs) else f"not each leg joint ({joint_names(model, endless[:3])})"
-        )
-        remarks.append(f"{which} has a torque limit: give the motors a ctrlrange")
+        which = "no leg joint" if len(endless) == len(names) else f"not each leg joint ({', '.join(endless[:3])})"
+        remarks.append(f"{which} has a torque limit: give the motors a ctrlrange, or robot.json torque_limits")
+    past: dict[str, list[str]] = {}  # what drives them -> joints whose torque does not go through a motor
+    for name, (_, path) in drives.items():
+        if path.startswith("qfrc_applied"):
+            past.setdefault(re.sub(r" '[^']*'", "", path), []).append(name)
+    for path, joints in past.items():
+        more = ", ..." if joints[3:] else ""
+        remarks.append(f"the torque of {len(joints)} joints ({', '.join(joints[:3])}{more}) goes through {path}")
     weight = float(model.body_subtreemass[root] * np.linalg.norm(model.opt.gravity))
     for side in (description.left, description.right):
         centre, axes = sole_pose(model, data, side)
@@ -33,9 +39,10 @@ def find_remarks(model: mujoco.MjModel, description: RobotDescription) -> list[s
             j = find_id(model, OBJ.mjOBJ_JOINT, name)
             turn = abs(data.xaxis[j] @ axes[:, 1])
             arm = abs((data.xanchor[j] - centre) @ axes[:, 0]) if turn > 0.7 else 0.0
-            if limit.get(j, np.inf) < arm * weight:
+            limit = drives[name][0]
+            if limit < arm * weight:
                 remarks.append(
-                    f"{name} cannot hold the robot on one foot: limit {limit[j]:.1f} N m, need {arm * weight:.1f} N m"
+                    f"{name} cannot hold the robot on one foot: limit {limit:.1f} N m, need {arm * weight:.1f} N m"
                 )
     fixed = [g for g in range(model.ngeom) if model.body_weldid[model.geom_bodyid[g]] == 0]
     if not any(model.geom_type[g] in (GEOM.mjGEOM_PLANE, GEOM.mjGEOM_HFIELD, GEOM.mjGEOM_BOX) for g in fixed):
@@ -50,9 +57,11 @@ def find_remarks(model: mujoco.MjModel, description: RobotDescription) -> list[s
     remarks += [f"at the stand {pair} touch" for pair in sorted(pairs)[:3]]
     for t in range(model.ntendon):
         joints = [j for j in tendon_joints(model, t) if model.jnt_bodyid[j] in tree.bodies]
-        if joints:
+        if joints and model.tendon_limited[t]:
             label = name_of(model, OBJ.mjOBJ_TENDON, t) or t
-            remarks.append(f"tendon '{label}' pulls on {joint_names(model, joints[:2])}; its force is not modelled")
+            remarks.append(
+                f"tendon '{label}' limits {joint_names(model, joints[:2])}; it is slack at the stand, not modelled"
+            )
     active = model.eq_active0 if hasattr(model, "eq_active0") else model.eq_active
     for e in range(model.neq):
         coupled = [j for j in (int(model.eq_obj1id[e]), int(model.eq_obj2id[e])) if j >= 0]

@@ -9,7 +9,7 @@ import mujoco
 import numpy as np
 
 from .._core import Foot, RobotDescription
-from ..description import joint_torque_limits, sole_pose
+from ..description import sole_pose
 from .tree import JNT, OBJ, Tree, find_id, name_of, root_body
 
 TURNS = ("roll", "pitch", "yaw")  # about a sole's x, y, z
@@ -27,7 +27,7 @@ def inspect_robot(model: mujoco.MjModel, description: RobotDescription) -> dict[
         they stand), thigh_m, shank_m, leg_share (hip to ankle at the start pose, of the straight leg), roles (how many
         joints each), joints (role: left or right leg or arm, waist, head, toes; turns: roll, pitch or yaw in the
         sole's axes at the start pose, for a leg after the part, as "hip roll"; stand_rad, range_rad and
-        torque_limit_Nm, None where there is no limit).
+        torque_limit_Nm, None where there is no limit, torque_path).
 
     Raises:
         ModelError: the model lacks what the description names.
@@ -39,12 +39,13 @@ def inspect_robot(model: mujoco.MjModel, description: RobotDescription) -> dict[
     root = root_body(model, description)
     feet = {side: _foot(model, data, getattr(description, side)) for side in ("left", "right")}
     height = float(data.subtree_com[root][2] - min(foot["sole_center_m"][2] for foot in feet.values()))
-    limits = joint_torque_limits(model)
+    drives = description.drives(model)
     axes = sole_pose(model, data, description.left)[1]
     parts = dict(zip([*description.left.leg_joints, *description.right.leg_joints], 2 * LEG))
     joints: list[dict[str, Any]] = []
     for j, role in _roles(model, data, description).items():
-        limit, name = limits.get(j, np.inf), name_of(model, OBJ.mjOBJ_JOINT, j) or f"joint {j}"
+        name = name_of(model, OBJ.mjOBJ_JOINT, j)
+        limit, path = drives[name]
         turns = TURNS[int(np.argmax(np.abs(data.xaxis[j] @ axes)))]
         joints.append({
             "name": name,
@@ -53,6 +54,7 @@ def inspect_robot(model: mujoco.MjModel, description: RobotDescription) -> dict[
             "stand_rad": float(data.qpos[model.jnt_qposadr[j]]),
             "range_rad": model.jnt_range[j].tolist() if model.jnt_limited[j] else None,
             "torque_limit_Nm": limit if np.isfinite(limit) else None,
+            "torque_path": path,
         })  # fmt: skip
     thigh, shank, share = _leg(model, data, description.left)
     return {

@@ -49,6 +49,9 @@ class Actuation {
   int qpos0_ = 0, nq_ = 0, dof0_ = 0, nv_ = 0;  // of the robot's tree
 };
 
+/// Hinges and slides of the tree whose root body is `root`, in the order of their dofs.
+std::vector<int> tree_joints(const mjModel* m, int root);
+
 /// Joints whose positions a tendon's length depends on: those of a fixed one, those between the sites and geoms of a spatial one.
 std::vector<int> tendon_joints(const mjModel* m, int tendon);
 
