@@ -99,13 +99,14 @@ WalkingController::WalkingController(const mjModel* model, const RobotDescriptio
     df_dr_[i] = (settings_.feed_forward ? -1.0 / (Tc * Tc) : 0.0) -
                 pd_acceleration(kp_[i], kd_[i], std::cosh(dt / Tc) - 1.0, std::sinh(dt / Tc) / Tc);
   const Dynamics& dyn = robot_.dynamics();
+  ground_ = dyn.com.z() - com_height_;
   start_ = gait_input(0.0, dyn.com.head<2>(), dyn.dcom.head<2>());
   check_profile();
 }
 
 GaitInput WalkingController::gait_input(double t, const Vec2& com, const Vec2& dcom) const {
   const auto& [left, right] = robot_.dynamics().sole;
-  return {t, com, dcom, {left.p_WF, right.p_WF}, {left.R_WF, right.R_WF}};
+  return {t, com, dcom, {left.p_WF, right.p_WF}, {left.R_WF, right.R_WF}, ground_};
 }
 
 WalkPlan WalkingController::plan(double duration, double dt) const {
