@@ -28,11 +28,18 @@ RobotScale scale_of(const Robot& robot) {
   const double cosine =
       (length * length - leg.thigh * leg.thigh - leg.shank * leg.shank) / (2.0 * leg.thigh * leg.shank);
   const int dof = robot.dof_address() + 6 + leg.knee;
+  scale.hip_to_ankle = length;
   scale.knee_per_lift = length / (leg.thigh * leg.shank * std::sqrt(std::max(1.0 - cosine * cosine, 1e-4)));
   scale.knee_armature = robot.model()->dof_armature[dof];
   scale.knee_damping = robot.model()->dof_damping[dof];
   scale.knee_torque = robot.torque_limit()[leg.knee];
   return scale;
+}
+
+double top_speed(const VelocityProfile& profile) {
+  double top = 0.0;
+  for (const Vec3& v : profile.v()) top = std::max(top, v.x());
+  return top;
 }
 
 ZmpBounds bounds_of(const Robot& robot, Side side, const WalkSettings& settings) {
@@ -73,7 +80,7 @@ WalkingController::WalkingController(const mjModel* model, const RobotDescriptio
       profile_(profile),
       com_height_(stand_height(robot_.dynamics())),
       half_sole_width_(0.5 * std::min(description.feet[kLeft].width, description.feet[kRight].width)),
-      settings_(resolve(settings, scale_of(robot_))),
+      settings_(resolve(settings, scale_of(robot_), top_speed(profile))),
       pendulum_(com_height_, robot_.dynamics().gravity.norm()),
       gait_(settings_, profile_, half_sole_width_),
       tracker_(settings_.tracker, settings_.tracker_gain, settings_.tracker_time, settings_.tracker_deadband),
@@ -131,6 +138,10 @@ double WalkingController::reach(double least_knee) const {
 double WalkingController::speed_limit() const {
   // In double support the hip is up to v T_ds/2 past the middle of the feet, so an ankle is v (T + T_ds)/2 away along x.
   return 2.0 * reach(kLeastKnee) / (settings_.T_ss + 2.0 * settings_.T_ds);
+}
+
+double WalkingController::knee_share(double speed) const {
+  return zmpwalk::knee_share(scale_of(robot_), settings_, settings_.step_height, speed);
 }
 
 void WalkingController::check_profile() const {

@@ -1672,6 +1672,10 @@ class WalkingController:
         """
         WalkSettings in force, every NaN filled in
         """
+    def knee_share(self, speed: typing.SupportsFloat | typing.SupportsIndex) -> float:
+        """
+        Share of the knee's torque limit that its own rotor and damping take at lift-off, walking at speed [m/s].
+        """
     @property
     def speed_limit(self) -> float:
         """
