@@ -12,7 +12,6 @@ from ..errors import Error
 from .soles import touching_geoms
 from .tree import EQ, GEOM, OBJ, Tree, body_label, find_id, joint_names, name_of, root_body, tendon_joints
 
-
 USUAL_SPEED, HEAVY_ROTOR = (
     0.06,
     0.65,
