@@ -122,7 +122,8 @@ WalkSettings resolve(const WalkSettings& settings, const RobotScale& robot, doub
   // Rotor and damping take at most this share of the knee's torque, as long as that leaves a step of the least height.
   constexpr double kKneeShare = 0.6, kLeastHeight = 0.01;
   const double per_lift = knee_share(robot, s, 1.0, 0.0), left = kKneeShare - knee_share(robot, s, 0.0, top_speed);
-  const double knee_lift = per_lift > 0.0 ? std::max(left / per_lift, kLeastHeight * robot.com_height) : robot.com_height;
+  const double knee_lift =
+      per_lift > 0.0 ? std::max(left / per_lift, kLeastHeight * robot.com_height) : robot.com_height;
   fill(s.step_height, std::min(0.0535 * robot.com_height, knee_lift));
   fill(s.foothold_reach, 0.11 * robot.com_height);
   fill(s.com_lead, 0.0134 * robot.com_height);

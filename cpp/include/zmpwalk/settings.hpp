@@ -96,7 +96,8 @@ void visit_settings(Settings& s, Visitor&& v) {
   v("step_lengths", s.step_lengths, "m", "lead of each step over the stance foot, the last one repeated");
   v("step_width", s.step_width, "m", "lateral distance of the feet; NaN: as they stand at the start");
   v("step_height", s.step_height, "m",
-    "height of the swing foot; NaN: 0.0535 of the COM height, less (to 0.01) where the knee's rotor and damping would take "
+    "height of the swing foot; NaN: 0.0535 of the COM height, less (to 0.01) where the knee's rotor and damping would "
+    "take "
     "over 0.6 of its torque at the profile's top speed");
   v("foothold_reach", s.foothold_reach, "m",
     "tied footholds: largest distance from the nominal foothold; NaN: 0.11 of the COM height");
