@@ -102,6 +102,8 @@ void bind_walking_controller(py::module_& m) {
           "mass", [](const WalkingController& c) { return c.robot().dynamics().mass; }, "[kg]")
       .def_property_readonly("com_height", &WalkingController::com_height, "z_c over the soles [m]")
       .def_property_readonly("Tc", &WalkingController::Tc, "sqrt(z_c / g) [s]")
+      .def("knee_share", &WalkingController::knee_share, "speed"_a,
+           "Share of the knee's torque limit that its own rotor and damping take at lift-off, walking at speed [m/s].")
       .def_property_readonly("speed_limit", &WalkingController::speed_limit,
                              "largest speed the legs reach at this step period [m/s]")
       .def("plan_mismatch", &WalkingController::plan_mismatch, "duration"_a,

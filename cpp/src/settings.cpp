@@ -81,7 +81,15 @@ WalkSettings::WalkSettings(const std::string& preset) : law(preset) {
   com_y_kd = 200.0;
 }
 
-WalkSettings resolve(const WalkSettings& settings, const RobotScale& robot) {
+double knee_share(const RobotScale& robot, const WalkSettings& s, double lift, double speed) {
+  if (!(robot.knee_per_lift > 0.0)) return 0.0;
+  const double half = 0.5 * s.T_ss, T = s.T_ss + s.T_ds, x = 0.5 * speed * (T + s.T_ds);
+  const double ddl = 6.0 * lift / (half * half) + x / robot.hip_to_ankle * 12.0 * speed * T / (s.T_ss * s.T_ss);
+  const double dl = 1.5 * lift / half;
+  return robot.knee_per_lift * (robot.knee_armature * ddl + robot.knee_damping * dl) / robot.knee_torque;
+}
+
+WalkSettings resolve(const WalkSettings& settings, const RobotScale& robot, double top_speed) {
   WalkSettings s = settings;
   const double Tc = LinearInvertedPendulum(robot.com_height, robot.gravity).Tc();
   const double Tc_ref = LinearInvertedPendulum(kReferenceHeight, 9.81).Tc();
@@ -111,13 +119,11 @@ WalkSettings resolve(const WalkSettings& settings, const RobotScale& robot) {
   gains(s.swing_kp, s.swing_kd, 900.0, 60.0);
   gains(s.posture_kp, s.posture_kd, 100.0, 20.0);
   fill(s.step_width, robot.foot_distance);
-  // The two cubics of a lift h start with 6 h / (T/2)^2 and pass 1.5 h / (T/2); rotor and damping take at most this share of the knee.
-  constexpr double kKneeShare = 0.55;
-  const double half = 0.5 * s.T_ss;
-  const double knee_torque_per_lift =
-      robot.knee_per_lift * (robot.knee_armature * 6.0 / (half * half) + robot.knee_damping * 1.5 / half);
+  // Rotor and damping take at most this share of the knee's torque, as long as that leaves a step of the least height.
+  constexpr double kKneeShare = 0.6, kLeastHeight = 0.01;
+  const double per_lift = knee_share(robot, s, 1.0, 0.0), left = kKneeShare - knee_share(robot, s, 0.0, top_speed);
   const double knee_lift =
-      knee_torque_per_lift > 0.0 ? kKneeShare * robot.knee_torque / knee_torque_per_lift : robot.com_height;
+      per_lift > 0.0 ? std::max(left / per_lift, kLeastHeight * robot.com_height) : robot.com_height;
   fill(s.step_height, std::min(0.0535 * robot.com_height, knee_lift));
   fill(s.foothold_reach, 0.11 * robot.com_height);
   fill(s.com_lead, 0.0134 * robot.com_height);

@@ -28,6 +28,7 @@ RobotScale scale_of(const Robot& robot) {
   const double cosine =
       (length * length - leg.thigh * leg.thigh - leg.shank * leg.shank) / (2.0 * leg.thigh * leg.shank);
   const int dof = robot.dof_address() + 6 + leg.knee;
+  scale.hip_to_ankle = length;
   scale.knee_per_lift = length / (leg.thigh * leg.shank * std::sqrt(std::max(1.0 - cosine * cosine, 1e-4)));
   scale.knee_armature = robot.model()->dof_armature[dof];
   scale.knee_damping = robot.model()->dof_damping[dof];
@@ -38,6 +39,12 @@ RobotScale scale_of(const Robot& robot) {
 RobotDescription with_limits(RobotDescription description, const std::map<std::string, double>& limits) {
   for (const auto& [joint, limit] : limits) description.torque_limits[joint] = limit;
   return description;
+}
+
+double top_speed(const VelocityProfile& profile) {
+  double top = 0.0;
+  for (const Vec3& v : profile.v()) top = std::max(top, v.x());
+  return top;
 }
 
 ZmpBounds bounds_of(const Robot& robot, Side side, const WalkSettings& settings) {
@@ -78,7 +85,7 @@ WalkingController::WalkingController(const mjModel* model, const RobotDescriptio
       profile_(profile),
       com_height_(stand_height(robot_.dynamics())),
       half_sole_width_(0.5 * std::min(description.feet[kLeft].width, description.feet[kRight].width)),
-      settings_(resolve(settings, scale_of(robot_))),
+      settings_(resolve(settings, scale_of(robot_), top_speed(profile))),
       pendulum_(com_height_, robot_.dynamics().gravity.norm()),
       gait_(settings_, profile_, half_sole_width_),
       tracker_(settings_.tracker, settings_.tracker_gain, settings_.tracker_time, settings_.tracker_deadband),
@@ -106,13 +113,14 @@ WalkingController::WalkingController(const mjModel* model, const RobotDescriptio
     df_dr_[i] = (settings_.feed_forward ? -1.0 / (Tc * Tc) : 0.0) -
                 pd_acceleration(kp_[i], kd_[i], std::cosh(dt / Tc) - 1.0, std::sinh(dt / Tc) / Tc);
   const Dynamics& dyn = robot_.dynamics();
+  ground_ = dyn.com.z() - com_height_;
   start_ = gait_input(0.0, dyn.com.head<2>(), dyn.dcom.head<2>());
   check_profile();
 }
 
 GaitInput WalkingController::gait_input(double t, const Vec2& com, const Vec2& dcom) const {
   const auto& [left, right] = robot_.dynamics().sole;
-  return {t, com, dcom, {left.p_WF, right.p_WF}, {left.R_WF, right.R_WF}};
+  return {t, com, dcom, {left.p_WF, right.p_WF}, {left.R_WF, right.R_WF}, ground_};
 }
 
 WalkPlan WalkingController::plan(double duration, double dt) const {
@@ -137,6 +145,10 @@ double WalkingController::reach(double least_knee) const {
 double WalkingController::speed_limit() const {
   // In double support the hip is up to v T_ds/2 past the middle of the feet, so an ankle is v (T + T_ds)/2 away along x.
   return 2.0 * reach(kLeastKnee) / (settings_.T_ss + 2.0 * settings_.T_ds);
+}
+
+double WalkingController::knee_share(double speed) const {
+  return zmpwalk::knee_share(scale_of(robot_), settings_, settings_.step_height, speed);
 }
 
 void WalkingController::check_profile() const {

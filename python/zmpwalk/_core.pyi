@@ -91,7 +91,7 @@ class WalkSettings:
             footsteps: 'tied' to the COM, 'absolute', 'paper', 'printed' or 'list' (step_lengths). Default 'tied'.
             step_lengths: lead of each step over the stance foot, the last one repeated [m]. Default [].
             step_width: lateral distance of the feet; NaN: as they stand at the start [m]. Default nan.
-            step_height: height of the swing foot; NaN: 0.0535 of the COM height, less where the knee's rotor and damping forbid it [m]. Default nan.
+            step_height: height of the swing foot; NaN: 0.0535 of the COM height, less (to 0.01) where the knee's rotor and damping would take over 0.6 of its torque at the profile's top speed [m]. Default nan.
             foothold_reach: tied footholds: largest distance from the nominal foothold; NaN: 0.11 of the COM height [m]. Default nan.
             com_lead: tied footholds: how far the COM rides ahead of the middle of the feet, so that a foot is not loaded on its heel; NaN: 0.0134 of the COM height [m]. Default nan.
             foothold_time: tied footholds: time constant of the low-pass on the target; NaN: 0.18 T_c [s]. Default nan.
@@ -388,7 +388,7 @@ class WalkSettings:
     @property
     def step_height(self) -> typing.Any:
         """
-        height of the swing foot; NaN: 0.0535 of the COM height, less where the knee's rotor and damping forbid it [m]
+        height of the swing foot; NaN: 0.0535 of the COM height, less (to 0.01) where the knee's rotor and damping would take over 0.6 of its torque at the profile's top speed [m]
         """
     @step_height.setter
     def step_height(self, arg1: typing.Any) -> None: ...
@@ -1737,6 +1737,10 @@ class WalkingController:
     def settings(self) -> WalkSettings:
         """
         WalkSettings in force, every NaN filled in
+        """
+    def knee_share(self, speed: typing.SupportsFloat | typing.SupportsIndex) -> float:
+        """
+        Share of the knee's torque limit that its own rotor and damping take at lift-off, walking at speed [m/s].
         """
     @property
     def speed_limit(self) -> float:

@@ -150,6 +150,20 @@ BOOST_AUTO_TEST_CASE(swing_foot_follows_one_cubic_while_the_foothold_stands) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(swing_foot_lands_at_the_height_of_the_ground_where_it_is_known_and_of_the_stance_sole_elsewhere) {
+  for (const double ground : {0.0, 0.02, kNaN}) {
+    PointWalk walk(settings());
+    for (Vec3& sole : walk.in.p_sole) sole.z() = -0.001;  // sunk into a soft contact
+    walk.in.ground = ground;
+    double landed = kNaN;
+    while (walk.in.t < 0.9) {
+      const GaitOutput& out = walk.step();
+      if (out.phase.phase == Phase::kSingleSupport && out.phase.step == 0) landed = out.swing_target.p.z();
+    }
+    CHECK_NEAR(landed, std::isnan(ground) ? -0.001 : ground, 1e-5);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(support_switches_once_in_each_double_support_to_the_foot_that_will_stand) {
   for (const std::string first : {"right", "left"}) {
     WalkSettings s = settings();

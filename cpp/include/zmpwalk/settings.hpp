@@ -98,7 +98,9 @@ void visit_settings(Settings& s, Visitor&& v) {
   v("step_lengths", s.step_lengths, "m", "lead of each step over the stance foot, the last one repeated");
   v("step_width", s.step_width, "m", "lateral distance of the feet; NaN: as they stand at the start");
   v("step_height", s.step_height, "m",
-    "height of the swing foot; NaN: 0.0535 of the COM height, less where the knee's rotor and damping forbid it");
+    "height of the swing foot; NaN: 0.0535 of the COM height, less (to 0.01) where the knee's rotor and damping would "
+    "take "
+    "over 0.6 of its torque at the profile's top speed");
   v("foothold_reach", s.foothold_reach, "m",
     "tied footholds: largest distance from the nominal foothold; NaN: 0.11 of the COM height");
   v("com_lead", s.com_lead, "m",
@@ -143,16 +145,25 @@ struct RobotScale {
   double gravity = 0.0;        ///< [m/s^2]
   double timestep = 0.0;       ///< of the model [s]
   double foot_distance = 0.0;  ///< lateral, at the start pose [m]
-  // What it costs the knee to lift the foot; nothing by default.
-  double knee_per_lift = 0.0;  ///< knee angle per height of the foot, at the start pose [rad/m]
+  // What it costs the knee to swing the foot; nothing by default.
+  double hip_to_ankle = 0.0;   ///< at the start pose, seen from the side [m]
+  double knee_per_lift = 0.0;  ///< knee angle per shortening of that distance, at the start pose [rad/m]
   double knee_armature = 0.0;  ///< [kg m^2]
   double knee_damping = 0.0;   ///< [N m s/rad]
   double knee_torque = std::numeric_limits<double>::infinity();  ///< limit [N m]
 };
 
+/// Share of the knee's torque limit that its own rotor and damping take as the swing foot leaves the ground.
+///
+/// The cubics start with 6 h / (T_ss/2)^2 upward and 6 (2 v T) / T_ss^2 forward; the latter shortens the leg by x / l of it, where
+/// the hip is x = v (T + T_ds) / 2 ahead of the ankle.
+/// @param s T_ss, T_ds set   @param lift h [m]   @param speed v [m/s]
+double knee_share(const RobotScale& robot, const WalkSettings& s, double lift, double speed);
+
 /// `settings` with every NaN replaced by the robot's value, all checked.
+/// @param top_speed  that the robot is to walk at [m/s]
 /// @throws InputError  a value that breaks a rule: the message gives name, value and rule
-WalkSettings resolve(const WalkSettings& settings, const RobotScale& robot);
+WalkSettings resolve(const WalkSettings& settings, const RobotScale& robot, double top_speed = 0.0);
 
 /// Lead lengths of section IV, corrected (0.1, 0.15, 0.2, 0.2, ...) and as printed (0.25 from the fourth on) [m].
 const std::vector<double>& paper_step_lengths();

@@ -97,6 +97,8 @@ class WalkingController {
 
   /// Largest speed the legs can reach at this step period, v (T + T_ds)/2 from hip to ankle with the knee still bent [m/s].
   double speed_limit() const;
+  /// Share of the knee's torque limit that its own rotor and damping take at lift-off when walking at `speed` [m/s]; see `zmpwalk::knee_share`.
+  double knee_share(double speed) const;
   /// Largest difference between the speed of a footstep list and of the profile within `duration` [s]; 0 where steps follow the profile [m/s].
   double plan_mismatch(double duration) const;
   /// Footsteps, COM and ZMP ahead of time, from where the last reset was, else from the start pose.

@@ -53,7 +53,8 @@ const GaitOutput& GaitGenerator::update(const GaitInput& in) {
     if (changed) {
       footsteps_.begin_step(out_.phase.step, out_.swing, foothold_of(in.p_sole[stance], in.R_sole[stance]), t_mid,
                             schedule_.period());
-      swing_foot_.begin(in.p_sole[out_.swing], in.R_sole[out_.swing], out_.phase.duration, in.p_sole[stance].z(),
+      const double z_land = std::isnan(in.ground) ? in.p_sole[stance].z() : in.ground;
+      swing_foot_.begin(in.p_sole[out_.swing], in.R_sole[out_.swing], out_.phase.duration, z_land,
                         settings_.step_height);
     }
     out_.foothold = footsteps_.update(in.com, in.dcom, in.t, t_mid, schedule_.period(), pendulum_.Tc(),

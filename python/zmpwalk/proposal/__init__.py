@@ -20,7 +20,7 @@ from .._core import Foot, RobotDescription
 from ..description import Robot, description_to_dict, read_robot, renamed
 from ..errors import Error, InputError, ModelError
 from .legs import find_robot
-from .remarks import find_remarks
+from .remarks import find_remarks, remark_usual_walk
 from .soles import remark_soles
 from .stand import find_stand
 from .table import inspect_robot
@@ -101,6 +101,7 @@ def appraise(model: mujoco.MjModel, description: RobotDescription, remarks: list
         table["speed_limit_mps"] = float(controller.speed_limit)
         bounds = {side: [b.tolist() for b in controller.zmp_bounds(side)] for side in ("left", "right")}
         table["zmp_bounds_m"] = bounds
+        remarks += remark_usual_walk(model, description, controller)
     except Error as error:
         table["speed_limit_mps"] = table["zmp_bounds_m"] = None
         remarks.append(f"the walking controller refuses it: {error}")

@@ -7,9 +7,15 @@ import re
 import mujoco
 import numpy as np
 
+from .. import _core
 from .._core import RobotDescription
 from ..description import sole_pose
+from ..errors import Error
+from .soles import touching_geoms
 from .tree import EQ, GEOM, OBJ, Tree, body_label, find_id, joint_names, name_of, root_body, tendon_joints
+
+USUAL_SPEED = 0.06  # Froude number v / sqrt(g z_c)
+HEAVY_ROTOR = 0.65  # share of the knee's torque from which it saturates
 
 
 def find_remarks(model: mujoco.MjModel, description: RobotDescription) -> list[str]:
@@ -49,6 +55,15 @@ def find_remarks(model: mujoco.MjModel, description: RobotDescription) -> list[s
         remarks.append(
             "the model has no floor (a plane, a box or a height field fixed to the world): nothing to walk on"
         )
+    geoms = touching_geoms(model)
+    bodies = [find_id(model, OBJ.mjOBJ_BODY, foot.body) for foot in (description.left, description.right)]
+    links = [int(model.body_weldid[body]) for body in bodies]
+    kinds = {int(model.geom_type[g]) for link in links for b in tree.under(link) for g in geoms.get(b, [])}
+    if kinds == {GEOM.mjGEOM_MESH}:
+        remarks.append(
+            "the soles are meshes, which MuJoCo lets touch a floor in two to four points at a time, so that the feet "
+            "rock; boxes, capsules or spheres stand still"
+        )
     pairs = set()
     for i in range(data.ncon):
         bodies = [int(model.geom_bodyid[g]) for g in (data.contact[i].geom1, data.contact[i].geom2) if g >= 0]
@@ -68,4 +83,45 @@ def find_remarks(model: mujoco.MjModel, description: RobotDescription) -> list[s
         if model.eq_type[e] == EQ.mjEQ_JOINT and active[e] and any(model.jnt_bodyid[j] in tree.bodies for j in coupled):
             label = name_of(model, OBJ.mjOBJ_EQUALITY, e) or e
             remarks.append(f"equality '{label}' couples {joint_names(model, coupled)}; its force is not modelled")
+    return remarks
+
+
+def remark_usual_walk(
+    model: mujoco.MjModel, description: RobotDescription, controller: _core.WalkingController
+) -> list[str]:
+    """What a usual walk asks of short legs, hips and heavy rotors."""
+    g, z_c = float(np.linalg.norm(model.opt.gravity)), controller.com_height
+    speed = USUAL_SPEED * float(np.sqrt(g * z_c))
+    if speed > controller.speed_limit:
+        return [f"reach: the legs reach {controller.speed_limit:.3f} m/s, less than a usual walk's {speed:.3f} m/s"]
+    ramp = _core.VelocityProfile([0.0, 10.0], [[0.0, 0.0, 0.0], [speed, 0.0, 0.0]], "linear")
+    try:
+        share = _core.WalkingController(model, description, settings=_core.WalkSettings(), profile=ramp).knee_share(
+            speed
+        )
+    except Error as error:
+        return [f"a usual walk of {speed:.3f} m/s is refused: {error}"]
+    remarks = []
+    if share > HEAVY_ROTOR:
+        remarks.append(
+            f"torque: at {speed:.3f} m/s the swinging knee takes {100 * share:.0f} % of its torque limit for its own "
+            "rotor and damping; it will saturate"
+        )
+    # Sideways the pendulum sways: on one foot a hip carries the weight half the feet's distance beside it, and its
+    # rotor follows the COM, which turns about the foot with g y / z_c^2.
+    data, drives = mujoco.MjData(model), description.drives(model)
+    description.place(model, data)
+    soles = [sole_pose(model, data, foot) for foot in (description.left, description.right)]
+    beside = 0.5 * abs((soles[0][0] - soles[1][0]) @ soles[0][1][:, 1])
+    weight = float(model.body_subtreemass[root_body(model, description)]) * g
+    for foot, (_, axes) in zip((description.left, description.right), soles):
+        joints = [find_id(model, OBJ.mjOBJ_JOINT, name) for name in foot.leg_joints[:3]]
+        j = max(joints, key=lambda joint: abs(data.xaxis[joint] @ axes[:, 0]))
+        sway = float(model.dof_armature[model.jnt_dofadr[j]]) * g * beside / z_c**2
+        limit = drives[name_of(model, OBJ.mjOBJ_JOINT, j)][0]
+        if limit < weight * beside + sway:
+            remarks.append(
+                f"torque: {joint_names(model, [j])} is too weak to sway on one foot: limit {limit:.2f} N m, need "
+                f"{weight * beside:.2f} N m for the weight and {sway:.2f} N m for its rotor"
+            )
     return remarks

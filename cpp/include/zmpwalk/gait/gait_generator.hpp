@@ -16,6 +16,8 @@ struct GaitInput {
   Vec2 com = Vec2::Zero(), dcom = Vec2::Zero();                    ///< "current" COM state of (16), (17), W [m, m/s]
   std::array<Vec3, 2> p_sole{Vec3::Zero(), Vec3::Zero()};          ///< sole centres, W [m]
   std::array<Mat3, 2> R_sole{Mat3::Identity(), Mat3::Identity()};  ///< sole orientations
+  /// Height at which the swing sole meets the ground [m]; NaN: the stance sole's, which the load has sunk into a soft contact.
+  double ground = kNaN;
 };
 
 /// What the gait asks for in one cycle.
