@@ -187,8 +187,9 @@ def read_description(path: str | os.PathLike) -> RobotDescription:
     """Read the description in a `robot.json`.
 
     Args:
-        path: the file. Required keys: root_joint, left, right (each foot_body, leg_joints, and either rect_x, rect_y
-            [m] in the foot's body or length, width [m]; and either sole_center [m] or rect_x, rect_y and sole_z),
+        path: the file. Required keys: root_joint, left, right (each foot_body, leg_joints, and the sole in the foot's
+            body: rect_x, rect_y [m], or a convex polygon of corners [x, y] [m], or length, width [m]; and sole_center [m],
+            or sole_z where a rectangle or a polygon is given; of a polygon the rectangle inside it is used),
             stand_joints [rad], stand_base_pos [m]. Optional: name, sole_site, sole_quat_wxyz, stand_base_quat_wxyz,
             stand_keyframe, torque_limits (joint name -> N m, in place of the model's).
 
@@ -254,6 +255,22 @@ class _Reader:
                 raise InputError(f"{self.source}: key '{key}.{name}' is {number!r}; it must be a number: {what}")
         return {name: float(number) for name, number in numbers.items()}
 
+    def inside_polygon(self, key: str) -> tuple[np.ndarray, np.ndarray]:
+        """x and y ranges of the sole's rectangle inside a convex polygon."""
+        from .proposal.soles import inscribed_rectangle
+
+        what = "three or more corners [x, y] of the sole in the foot's body [m] that span an area"
+        raw = self.value(key, (list, tuple), what)
+        try:
+            corners = np.asarray(raw, float)
+        except (TypeError, ValueError):
+            corners = np.empty(0)
+        good = corners.ndim == 2 and corners.shape[0] >= 3 and corners.shape[1] == 2 and np.isfinite(corners).all()
+        ends = np.array(inscribed_rectangle(corners) if good else np.zeros(4))
+        if not (ends[1] > ends[0] and ends[3] > ends[2]):
+            raise InputError(f"{self.source}: key '{self.prefix}{key}' is {raw!r}; it must be {what}")
+        return ends[:2], ends[2:]
+
     def length(self, key: str) -> float:
         number = self.value(key, (int, float), "a length [m], more than 0")
         if not number > 0:
@@ -298,17 +315,20 @@ def _foot(plain: dict[str, Any], source: str, side: str) -> Foot:
         length, width = reader.length("length"), reader.length("width")
         centre = reader.numbers("sole_center", 3, "three numbers [m] in the foot's body")
     else:
-        x, y = (
-            reader.numbers(key, 2, "[from, to] of the sole's rectangle in the foot's body [m]")
-            for key in ("rect_x", "rect_y")
-        )
+        if "polygon" in plain:
+            x, y = reader.inside_polygon("polygon")
+        else:
+            x, y = (
+                reader.numbers(key, 2, "[from, to] of the sole's rectangle in the foot's body [m]")
+                for key in ("rect_x", "rect_y")
+            )
         length, width = x[1] - x[0], y[1] - y[0]
         if not (length > 0 and width > 0):
             raise InputError(
                 f"{source}: keys '{side}.rect_x', '{side}.rect_y' are {x.tolist()}, {y.tolist()}; "
                 "each must be [from, to]"
             )
-        if "sole_center" in plain:
+        if "sole_center" in plain and "polygon" not in plain:
             centre = reader.numbers("sole_center", 3, "three numbers [m] in the foot's body")
         else:
             z = reader.value(

@@ -83,6 +83,31 @@ def test_rectangle_form_means_the_same_as_centre_and_size(mahru, robot_json):
     assert np.asarray(foot.sole_pos) == pytest.approx(np.asarray(other.sole_pos))
 
 
+def test_polygon_gives_the_rectangle_inside_it(mahru, robot_json):
+    def use_polygons(plain):
+        for side in ("left", "right"):
+            foot = plain[side]
+            (x, y, z), a, b = foot.pop("sole_center"), foot.pop("length") / 2, foot.pop("width") / 2
+            corners = [(a, b), (a + 0.01, 0), (a, -b), (-a, -b), (-a, b)]  # a pointed toe
+            foot["polygon"] = [[x + dx, y + dy] for dx, dy in corners]
+            foot["sole_z"] = z
+
+    foot, other = zmpwalk.read_description(robot_json(use_polygons)).left, mahru[1].left
+    assert foot.length >= other.length - 1e-9  # what it gains at the toe is length at the cost of width
+    assert foot.length <= other.length + 0.01
+    assert 0.8 * other.width < foot.width <= other.width + 1e-9
+
+
+@pytest.mark.parametrize("polygon", [[[0, 0], [1, 1]], [[0, 0], [1, 1], [2, 2]], [[0, 0], [1, "a"], [2, 0]], 3])
+def test_polygon_without_area_is_refused(robot_json, polygon):
+    def use_polygon(plain):
+        plain["left"].pop("length"), plain["left"].pop("width")
+        plain["left"].update(polygon=polygon, sole_z=0.0)
+
+    with pytest.raises(zmpwalk.InputError, match=r"left\.polygon.*corners"):
+        zmpwalk.read_description(robot_json(use_polygon))
+
+
 def test_scene_is_preferred_to_model(robot_json, tmp_path):
     scene = tmp_path / "scene.xml"
     shutil.copy(MAHRU, tmp_path)
