@@ -1660,6 +1660,10 @@ class WalkingController:
             ModelError: the robot cannot be walked.
             InputError: a setting breaks a rule, or the profile is faster than the legs reach.
         """
+    def knee_share(self, speed: typing.SupportsFloat | typing.SupportsIndex) -> float:
+        """
+        Share of the knee's torque limit that its own rotor and damping take at lift-off, walking at speed [m/s].
+        """
     def plan(
         self,
         duration: typing.SupportsFloat | typing.SupportsIndex = 3.2,
@@ -1737,10 +1741,6 @@ class WalkingController:
     def settings(self) -> WalkSettings:
         """
         WalkSettings in force, every NaN filled in
-        """
-    def knee_share(self, speed: typing.SupportsFloat | typing.SupportsIndex) -> float:
-        """
-        Share of the knee's torque limit that its own rotor and damping take at lift-off, walking at speed [m/s].
         """
     @property
     def speed_limit(self) -> float:

@@ -188,8 +188,8 @@ def read_description(path: str | os.PathLike) -> RobotDescription:
 
     Args:
         path: the file. Required keys: root_joint, left, right (each foot_body, leg_joints, and the sole in the foot's
-            body: rect_x, rect_y [m], or a convex polygon of corners [x, y] [m], or length, width [m]; and sole_center [m],
-            or sole_z where a rectangle or a polygon is given; of a polygon the rectangle inside it is used),
+            body: rect_x, rect_y [m], or a convex polygon of corners [x, y] [m], or length, width [m]; and sole_center
+            [m], or sole_z where a rectangle or a polygon is given; of a polygon the rectangle inside it is used),
             stand_joints [rad], stand_base_pos [m]. Optional: name, sole_site, sole_quat_wxyz, stand_base_quat_wxyz,
             stand_keyframe, torque_limits (joint name -> N m, in place of the model's).
 
