@@ -164,6 +164,11 @@ void WalkingController::check_profile() const {
   // From a stand, the COM may not run away from the first stance foot before the second stands.
   const double room = reach(kLeastKnee);
   if (start_excursion(1.0) <= room) return;
+  if (start_excursion(0.0) > room)
+    throw InputError("the COM would run " + std::to_string(start_excursion(0.0)) +
+                     " m away even at rest, the legs reach " + std::to_string(room) +
+                     " m: at the start pose it lies too far from the feet's middle, or the ankles are "
+                     "too weak to hold it there");
   double possible = 0.0, impossible = 1.0;
   for (int i = 0; i < 20; ++i) {
     const double middle = 0.5 * (possible + impossible);
