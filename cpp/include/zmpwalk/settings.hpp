@@ -146,7 +146,7 @@ struct RobotScale {
   double timestep = 0.0;       ///< of the model [s]
   double foot_distance = 0.0;  ///< lateral, at the start pose [m]
   // What it costs the knee to swing the foot; nothing by default.
-  double hip_to_ankle = 0.0;   ///< at the start pose, seen from the side [m]
+  double hip_to_ankle = std::numeric_limits<double>::infinity();  ///< at the start pose, seen from the side [m]
   double knee_per_lift = 0.0;  ///< knee angle per shortening of that distance, at the start pose [rad/m]
   double knee_armature = 0.0;  ///< [kg m^2]
   double knee_damping = 0.0;   ///< [N m s/rad]
