@@ -140,6 +140,7 @@ def _cycle(loaded: Any, duration: float, progress: Progress) -> Result:
         rows = slice(None) if number < 0 else phase == number
         result[name] = {column: statistics(values[rows]) for column, values in columns.items()}
         of = result[name]
+        of["other"] = {"median": of["other"]["median"]}  # a difference of times: its extremes mean nothing
         result[name]["ratios"] = {
             f"{above} / {below}": {each: of[above][each] / of[below][each] for each in ("min", "median")}
             for above, below in (

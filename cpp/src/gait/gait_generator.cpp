@@ -32,15 +32,26 @@ void GaitGenerator::reset(const GaitInput& start, const LinearInvertedPendulum& 
 }
 
 const GaitOutput& GaitGenerator::update(const GaitInput& in) {
+  update_steps(in);
+  if (out_.phase.phase == Phase::kDoubleSupport) return out_;
+  if (changed_) {
+    const double z_land = std::isnan(in.ground) ? in.p_sole[other(out_.swing)].z() : in.ground;
+    swing_foot_.begin(in.p_sole[out_.swing], in.R_sole[out_.swing], out_.phase.duration, z_land, settings_.step_height);
+  }
+  out_.swing_target = swing_foot_.update(out_.phase.time, settings_.control_dt, out_.foothold);
+  return out_;
+}
+
+const GaitOutput& GaitGenerator::update_steps(const GaitInput& in) {
   const GaitPhase before = out_.phase;
   out_.phase = schedule_.at(in.t);
   const bool single = out_.phase.phase == Phase::kSingleSupport;
-  const bool changed = out_.phase.phase != before.phase || out_.phase.step != before.step;
+  changed_ = out_.phase.phase != before.phase || out_.phase.step != before.step;
   const double t_mid = in.t + out_.phase.to_mid_double;
   const double dt = settings_.control_dt;
 
-  if (changed && !single) out_.swing = other(out_.swing);  // the foot that stood swings next
-  lateral_.begin_cycle(changed && !single);
+  if (changed_ && !single) out_.swing = other(out_.swing);  // the foot that stood swings next
+  lateral_.begin_cycle(changed_ && !single);
   out_.support = lateral_.support();
   out_.standing = {true, true};
   out_.origin = in.p_sole[out_.support].head<2>();
@@ -50,16 +61,11 @@ const GaitOutput& GaitGenerator::update(const GaitInput& in) {
   if (single) {
     const Side stance = other(out_.swing);
     out_.standing[out_.swing] = false;
-    if (changed) {
+    if (changed_)
       footsteps_.begin_step(out_.phase.step, out_.swing, foothold_of(in.p_sole[stance], in.R_sole[stance]), t_mid,
                             schedule_.period());
-      const double z_land = std::isnan(in.ground) ? in.p_sole[stance].z() : in.ground;
-      swing_foot_.begin(in.p_sole[out_.swing], in.R_sole[out_.swing], out_.phase.duration, z_land,
-                        settings_.step_height);
-    }
     out_.foothold = footsteps_.update(in.com, in.dcom, in.t, t_mid, schedule_.period(), pendulum_.Tc(),
                                       out_.phase.time / out_.phase.duration, dt);
-    out_.swing_target = swing_foot_.update(out_.phase.time, dt, out_.foothold);
   }
 
   // Lateral motion about the support's sole centre, along the left of the heading.

@@ -30,7 +30,7 @@ WalkPlan plan_walk(const WalkSettings& given, const VelocityProfile& profile, co
   bool swinging = false;
   for (std::size_t k = 0; k < count; ++k) {
     in.t = static_cast<double>(k) * dt;
-    const GaitOutput& now = gait.update(in);
+    const GaitOutput& now = gait.update_steps(in);
     const bool single = now.phase.phase == Phase::kSingleSupport;
     if (single && !swinging) plan.steps.push_back({now.swing, in.t, in.t + now.phase.duration, {}});
     if (single) {  // the foot is where it will land; nobody looks before

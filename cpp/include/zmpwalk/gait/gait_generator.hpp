@@ -44,6 +44,8 @@ class GaitGenerator {
   void reset(const GaitInput& start, const LinearInvertedPendulum& pendulum);
   /// One cycle. Allocates nothing.
   const GaitOutput& update(const GaitInput& in);
+  /// The same without the swing foot's path, for a plan: `swing_target` keeps what it was. Allocates nothing.
+  const GaitOutput& update_steps(const GaitInput& in);
 
   const Schedule& schedule() const { return schedule_; }
   const FootstepPlanner& footsteps() const { return footsteps_; }
@@ -56,6 +58,7 @@ class GaitGenerator {
   SwingFoot swing_foot_;
   LinearInvertedPendulum pendulum_;
   GaitOutput out_;
+  bool changed_ = false;  // a phase began with this cycle
 };
 
 }  // namespace zmpwalk
