@@ -188,9 +188,9 @@ BOOST_AUTO_TEST_CASE(torque_goes_to_the_motor_of_each_joint_by_name) {
 
 BOOST_AUTO_TEST_CASE(torque_reaches_a_joint_past_its_servo) {
   // A position servo that its ctrlrange and forcerange both clip: 300 (0.1 - 0.785) is cut to -50 N m.
-  const ModelPtr m = load_text(
-      replaced(mahru_text(), "<motor class=\"knee\" name=\"l_knee\"",
-               "<position kp=\"300\" ctrlrange=\"-0.1 0.1\" forcerange=\"-50 50\" name=\"l_knee\""));
+  const ModelPtr m =
+      load_text(replaced(mahru_text(), "<motor class=\"knee\" name=\"l_knee\"",
+                         "<position kp=\"300\" ctrlrange=\"-0.1 0.1\" forcerange=\"-50 50\" name=\"l_knee\""));
   Placed at(m.get(), 9);
   const VecX tau = Numbers(10).vector(at.robot.joints(), 10.0);
   at.robot.write_torque(tau, at.data.get());
