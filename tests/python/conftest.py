@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import signal
 import subprocess
 import sys
 import xml.etree.ElementTree as ET
@@ -248,3 +249,11 @@ def zmpwalk_command():
         return subprocess.run(command, capture_output=True, text=True, timeout=300, **kw)
 
     return run
+
+
+@pytest.fixture
+def ctrl_c():
+    """Ctrl-C works as on a terminal: a shell that starts tests in the background has switched it off."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)

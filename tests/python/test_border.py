@@ -587,7 +587,7 @@ def test_exception_in_the_callback_propagates_and_the_controller_walks_again(sce
 
 
 @pytest.mark.parametrize("on_progress", [None, lambda t, duration: None], ids=["no callback", "callback"])
-def test_ctrl_c_stops_the_walk(scene, on_progress):
+def test_ctrl_c_stops_the_walk(scene, on_progress, ctrl_c):
     controller = zmpwalk.WalkingController(*scene[:2])
     timer = threading.Timer(0.3, _thread.interrupt_main)
     start = time.perf_counter()

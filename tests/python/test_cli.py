@@ -162,7 +162,7 @@ def test_bad_input_is_one_line_exit_2_and_nothing_written(zmpwalk_command, tmp_p
     assert sorted(tmp_path.rglob("*")) == before
 
 
-def test_ctrl_c_stops_at_once_and_leaves_nothing(tmp_path):
+def test_ctrl_c_stops_at_once_and_leaves_nothing(tmp_path, ctrl_c):
     out = tmp_path / "deep" / "walk"
     command = [sys.executable, "-m", "zmpwalk", "walk", "--duration", "600", "--out", str(out)]
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True)
