@@ -166,7 +166,7 @@ def test_corrected_steps_are_no_mismatch():
 
 @pytest.mark.parametrize("law", ["paper", "default"])
 def test_steps_of_a_quarter_metre_walk_at_the_speed_that_fits_them(law):
-    """So it is the mismatch that fells the printed list, not the length; the literal law lasts 10 to 24 s, by chance."""
+    """So it is the mismatch that fells the printed list, not the length; the literal law lasts 10 to 24 s by chance."""
     printed = PAPER["step_lengths"]["printed"]
     before, after = [0.0, *printed], [*printed, printed[-1]]
     fits = [0.5 * (a + b) / PERIOD for a, b in zip(before, after)]
