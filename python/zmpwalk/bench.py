@@ -66,9 +66,13 @@ def bench(
     result: Result = {"machine": machine(), "build": _core.build_info(), "duration": duration}
     for part in PARTS if parts is None else parts:
         say(part, 0.0)
-        result[part] = PARTS[part](loaded, duration, lambda t, whole, part=part: say(part, min(t / whole, 1.0)))
+        result[part] = PARTS[part](loaded, duration, _share_of(part, say))
         say(part, 1.0)
     return result
+
+
+def _share_of(part: str, say: Callable[[str, float], None]) -> Progress:
+    return lambda t, whole: say(part, min(t / whole, 1.0))
 
 
 def machine() -> dict[str, Any]:
@@ -198,7 +202,8 @@ def _kernels(loaded: Any, duration: float, progress: Progress) -> Result:
 
 def _plan(loaded: Any, duration: float, progress: Progress) -> Result:
     """3.2 s of footsteps, COM and ZMP, 320 instants."""
-    controller = WalkingController(*loaded, None, WALK())
+    model, description = loaded
+    controller = WalkingController(model, description, None, WALK())
     times, now = [], time.perf_counter_ns
     for _ in range(1000):
         start = now()
@@ -263,9 +268,10 @@ def with_joints(joints: int) -> str:
     Usage: `mujoco.MjModel.from_xml_string(with_joints(40))`
     """
     root = ElementTree.parse(Path(__file__).parent / "robots" / "mahru.xml").getroot()
-    root.remove(root.find("sensor"))
-    actuator, key = root.find("actuator"), root.find("keyframe/key")
-    stand = key.get("qpos").split()
+    sensor, actuator, key = (root.find(path) for path in ("sensor", "actuator", "keyframe/key"))
+    assert sensor is not None and actuator is not None and key is not None  # it is our own file
+    root.remove(sensor)
+    stand = key.attrib["qpos"].split()
     if joints < 25:
         legs = {motor.get("joint") for motor in actuator[:12]}
         for body in root.iter("body"):

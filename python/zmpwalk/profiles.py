@@ -126,7 +126,7 @@ class VelocityProfile(_core.VelocityProfile):
         Usage: `VelocityProfile.from_csv("walk.csv")`
         """
         rows = _read_csv(path)
-        return cls([row[0] for row in rows], [row[1:] for row in rows], interpolation)
+        return cls([row[0] for row in rows], np.array([row[1:] for row in rows]), interpolation)
 
     @classmethod
     def from_spec(cls, spec: str) -> VelocityProfile:
@@ -170,7 +170,7 @@ class VelocityProfile(_core.VelocityProfile):
             if not hasattr(pair, "__len__") or len(pair) != 2:
                 raise DimensionError(f"{pair!r} is not a pair (t, v)")
         return cls(
-            np.array([t for t, _ in pairs], float),
+            [float(t) for t, _ in pairs],
             np.array([_three(v) for _, v in pairs]).reshape(-1, 3),
             interpolation,
         )

@@ -76,7 +76,7 @@ class Recorder:
     Usage: see `add`.
     """
 
-    def __init__(self, controller: _core.WalkingController, robot: str | None = None):
+    def __init__(self, controller: WalkingController, robot: str | None = None):
         self._controller = controller
         self._recorder = _core.Recorder(controller)
         self._robot = robot
@@ -190,8 +190,8 @@ def simulate_batch(
         if key not in robots:
             robots[key] = load_robot(robot)
         controller = WalkingController(*robots[key], given.get("settings"), given.get("profile"))
-        name = robot if isinstance(robot, str) and robot.isidentifier() else None
-        jobs.append((controller, check_duration(given.get("duration", 8.0)), _check_seed(given.get("seed", 0)), name))
+        label = robot if isinstance(robot, str) and robot.isidentifier() else None
+        jobs.append((controller, check_duration(given.get("duration", 8.0)), _check_seed(given.get("seed", 0)), label))
 
     done, total = [0.0] * len(jobs), sum(duration for _, duration, _, _ in jobs)
     stop = threading.Event()
@@ -202,9 +202,9 @@ def simulate_batch(
             if stop.is_set():
                 raise _Stopped
 
-        controller, duration, seed, name = jobs[i]
+        controller, duration, seed, label = jobs[i]
         at(0.0, duration)
-        trace = run(controller, duration, at, seed, name)
+        trace = run(controller, duration, at, seed, label)
         done[i] = duration
         return trace
 
@@ -229,7 +229,7 @@ class _Stopped(Exception):
 
 
 def run(
-    controller: _core.WalkingController,
+    controller: WalkingController,
     duration: float,
     on_progress: Progress | None = None,
     seed: int = 0,
@@ -302,7 +302,7 @@ def set_state(trace: Trace, model: mujoco.MjModel, data: mujoco.MjData, k: int) 
 
 
 def _describe_run(
-    controller: _core.WalkingController, robot: str | None, info: dict[str, Any], source: str, **more: Any
+    controller: WalkingController, robot: str | None, info: dict[str, Any], source: str, **more: Any
 ) -> tuple[bytes, dict[str, Any]]:
     """The compiled model's bytes and the meta data of a trace."""
     model, settings = controller.model, controller.settings

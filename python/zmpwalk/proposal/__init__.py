@@ -96,7 +96,7 @@ def appraise(model: mujoco.MjModel, description: RobotDescription, remarks: list
     remarks = list(remarks or []) + find_remarks(model, description)
     table = inspect_robot(model, description)
     try:
-        still = _core.VelocityProfile([0.0], [[0.0, 0.0, 0.0]], "hold")
+        still = _core.VelocityProfile([0.0], np.zeros((1, 3)), "hold")
         controller = _core.WalkingController(model, description, settings=_core.WalkSettings(), profile=still)
         table["speed_limit_mps"] = float(controller.speed_limit)
         bounds = {side: [b.tolist() for b in controller.zmp_bounds(side)] for side in ("left", "right")}

@@ -71,11 +71,11 @@ def find_remarks(model: mujoco.MjModel, description: RobotDescription) -> list[s
             pairs.add(" and ".join(body_label(model, b) for b in sorted(bodies)))
     remarks += [f"at the stand {pair} touch" for pair in sorted(pairs)[:3]]
     for t in range(model.ntendon):
-        joints = [j for j in tendon_joints(model, t) if model.jnt_bodyid[j] in tree.bodies]
-        if joints and model.tendon_limited[t]:
+        tied = [j for j in tendon_joints(model, t) if model.jnt_bodyid[j] in tree.bodies]
+        if tied and model.tendon_limited[t]:
             label = name_of(model, OBJ.mjOBJ_TENDON, t) or t
             remarks.append(
-                f"tendon '{label}' limits {joint_names(model, joints[:2])}; it is slack at the stand, not modelled"
+                f"tendon '{label}' limits {joint_names(model, tied[:2])}; it is slack at the stand, not modelled"
             )
     active = model.eq_active0 if hasattr(model, "eq_active0") else model.eq_active
     for e in range(model.neq):
@@ -94,7 +94,7 @@ def remark_usual_walk(
     speed = USUAL_SPEED * float(np.sqrt(g * z_c))
     if speed > controller.speed_limit:
         return [f"reach: the legs reach {controller.speed_limit:.3f} m/s, less than a usual walk's {speed:.3f} m/s"]
-    ramp = _core.VelocityProfile([0.0, 10.0], [[0.0, 0.0, 0.0], [speed, 0.0, 0.0]], "linear")
+    ramp = _core.VelocityProfile([0.0, 10.0], np.array([[0.0, 0.0, 0.0], [speed, 0.0, 0.0]]), "linear")
     try:
         share = _core.WalkingController(model, description, settings=_core.WalkSettings(), profile=ramp).knee_share(
             speed

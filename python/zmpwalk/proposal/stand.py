@@ -105,7 +105,7 @@ def _limits(robot: Found) -> list[tuple[int, int, float, float]]:
     """Joint, place in qpos, range, of all limited joints with one degree of freedom."""
     model = robot.tree.model
     return [
-        (j, int(model.jnt_qposadr[j]), *map(float, model.jnt_range[j]))
+        (j, int(model.jnt_qposadr[j]), float(model.jnt_range[j][0]), float(model.jnt_range[j][1]))
         for j in range(model.njnt)
         if model.jnt_bodyid[j] in robot.tree.bodies
         and model.jnt_limited[j]

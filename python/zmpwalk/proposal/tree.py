@@ -122,12 +122,12 @@ def tendon_joints(model: mujoco.MjModel, tendon: int) -> list[int]:
             joints.append(int(model.wrap_objid[w]))
         elif model.wrap_type[w] == WRAP.mjWRAP_SITE:
             bodies.append(int(model.site_bodyid[model.wrap_objid[w]]))
-    chains = []
+    chains: list[set[int]] = []
     for body in bodies:
-        chain = []
+        chain = set()
         while body > 0:
-            chain.append(body)
+            chain.add(body)
             body = int(model.body_parentid[body])
-        chains.append(set(chain))
-    moved = set().union(*chains) - set.intersection(*chains) if chains else set()
+        chains.append(chain)
+    moved = chains[0].union(*chains) - chains[0].intersection(*chains) if chains else set()
     return joints + [int(j) for j in range(model.njnt) if model.jnt_bodyid[j] in moved]
