@@ -354,8 +354,7 @@ void WalkingController::choose_reference(const GaitOutput& gait) {
   if (gait.standing[kLeft] && gait.standing[kRight]) {
     const Dynamics& dyn = robot_.dynamics();
     const double across = (R_S_.transpose() * (dyn.sole[other(gait.support)].p_WF.head<2>() - gait.origin)).y();
-    bounds.lower.y() = std::min(bounds.lower.y(), across + bounds_[other(gait.support)].lower.y());
-    bounds.upper.y() = std::max(bounds.upper.y(), across + bounds_[other(gait.support)].upper.y());
+    bounds = bounds.widened(bounds_[other(gait.support)], across);
   }
   if (settings_.zmp_modification) {
     const Vec2 inside = bounds.clamp(zmp);

@@ -1,7 +1,6 @@
 #include "zmpwalk/gait/plan.hpp"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 
 #include "zmpwalk/math/error.hpp"
@@ -47,8 +46,7 @@ WalkPlan plan_walk(const WalkSettings& given, const VelocityProfile& profile, co
     if (!single) {
       const Side there = other(now.support);
       const double across = (R.transpose() * (in.p_sole[there].head<2>() - now.origin)).y();
-      room.lower.y() = std::min(room.lower.y(), across + bounds[there].lower.y());
-      room.upper.y() = std::max(room.upper.y(), across + bounds[there].upper.y());
+      room = room.widened(bounds[there], across);
     }
     const double sagittal_zmp = pendulum.reference_for(x.x(), tracker.acceleration(v_plan, v.x()));
     const Vec2 zmp = room.clamp(Vec2(sagittal_zmp, now.zmp_lateral));

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "zmpwalk/math/types.hpp"
 
 namespace zmpwalk {
@@ -10,6 +12,13 @@ struct ZmpBounds {
   Vec2 upper = Vec2::Zero();
 
   Vec2 clamp(const Vec2& zmp) const { return zmp.cwiseMax(lower).cwiseMin(upper); }
+  /// Two standing feet: sideways the ZMP may also be within the other foot's bounds, `across` from this sole [m], or between.
+  ZmpBounds widened(const ZmpBounds& other, double across) const {
+    ZmpBounds out = *this;
+    out.lower.y() = std::min(lower.y(), across + other.lower.y());
+    out.upper.y() = std::max(upper.y(), across + other.upper.y());
+    return out;
+  }
 };
 
 /// Sole and ankle of one foot, as far as the ZMP cares.
