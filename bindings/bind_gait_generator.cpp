@@ -5,14 +5,13 @@ using namespace zmpwalk;
 
 namespace {
 
-/// A gait that keeps the profile it points to.
+/// A gait with the pendulum and the settings of its robot.
 struct PyGait {
-  PyGait(double com_height, double gravity, double timestep, double foot_distance, double sole_width,
+  PyGait(double com_height, double gravity, double timestep, double foot_distance, double sole_width, double sole_length,
          const VelocityProfile& p, const WalkSettings& s)
-      : profile(p),
-        pendulum(com_height, gravity),
+      : pendulum(com_height, gravity),
         settings(resolve(s, scale(com_height, gravity, timestep, foot_distance))),
-        gait(settings, profile, 0.5 * sole_width) {}
+        gait(settings, p, {sole_length, sole_width}) {}
   static RobotScale scale(double com_height, double gravity, double timestep, double foot_distance) {
     RobotScale out;
     out.com_height = com_height;
@@ -21,7 +20,6 @@ struct PyGait {
     out.foot_distance = foot_distance;
     return out;
   }
-  VelocityProfile profile;
   LinearInvertedPendulum pendulum;
   WalkSettings settings;
   GaitGenerator gait;
@@ -47,6 +45,9 @@ void bind_gait_generator(py::module_& m) {
           "phase_time", [](const GaitOutput& o) { return o.phase.time; }, "[s]")
       .def_property_readonly(
           "support", [](const GaitOutput& o) { return static_cast<int>(side_sign(o.support)); }, "+1 left, -1 right")
+      .def_readonly("at_rest", &GaitOutput::at_rest, "stands, and is not asked to walk")
+      .def_readonly("heading", &GaitOutput::heading, "of the walk, in the world [rad]")
+      .def_readonly("v_plan", &GaitOutput::v_plan, "planned velocity (v_x, v_y, w_z)")
       .def_readonly("standing", &GaitOutput::standing, "(left, right)")
       .def_readonly("zmp_lateral", &GaitOutput::zmp_lateral, "reference ZMP along the support frame's y [m]")
       .def_readonly("w_T", &GaitOutput::w_T, "eq. 18 [m/s]")
@@ -61,11 +62,11 @@ void bind_gait_generator(py::module_& m) {
           "swing_acceleration", [](const GaitOutput& o) { return o.swing_target.a; }, "(3,) [m/s^2]");
   py::class_<PyGait>(m, "GaitGenerator",
                      "Phases, support switch, footholds and swing foot, from time and the COM alone.")
-      .def(py::init<double, double, double, double, double, const VelocityProfile&, const WalkSettings&>(),
+      .def(py::init<double, double, double, double, double, double, const VelocityProfile&, const WalkSettings&>(),
            py::kw_only(), "com_height"_a, "gravity"_a = 9.81, "timestep"_a = 0.001, "foot_distance"_a, "sole_width"_a,
-           "profile"_a, py::arg_v("settings", WalkSettings(), "WalkSettings()"),
+           "sole_length"_a = 0.0, "profile"_a, py::arg_v("settings", WalkSettings(), "WalkSettings()"),
            "Args:\n    com_height: z_c [m].\n    gravity: [m/s^2].\n    timestep: control period [s].\n    "
-           "foot_distance, sole_width: [m].\n"
+           "foot_distance, sole_width, sole_length: [m].\n"
            "    profile: VelocityProfile.\n    settings: WalkSettings.\n\nRaises:\n    InputError.")
       .def(
           "reset",
@@ -81,5 +82,8 @@ void bind_gait_generator(py::module_& m) {
             return g.gait.update(input(t, com, dcom, soles));
           },
           "t"_a, "com"_a, "dcom"_a, "soles"_a, "One cycle at time t [s].")
+      .def(
+          "command", [](PyGait& g, const Vec3& v) { g.gait.command(v); }, "velocity"_a,
+          "From the next cycle on towards (v_x, v_y, w_z), whatever the profile says.")
       .def_property_readonly("settings", [](const PyGait& g) { return g.settings; }, "settings in force");
 }

@@ -12,6 +12,8 @@ void bind_walking_controller(py::module_& m) {
   FIELD(dcom, "COM velocity (3,) [m/s]");
   FIELD(com_des, "desired COM of the next cycle (3,) [m]");
   FIELD(dcom_des, "desired COM velocity of the next cycle (3,) [m/s]");
+  FIELD(heading, "of the walk, in the world [rad]");
+  FIELD(command, "live command in force (v_x, v_y, w_z), NaN while the profile leads");
   FIELD(v_plan, "planned velocity (v_x, v_y, w_z), heading frame");
   FIELD(v_des, "desired velocity (v_x, v_y, w_z), heading frame");
   FIELD(v_error_integral, "integral of v_des - v_plan (3,) [m, m, rad]");
@@ -26,6 +28,7 @@ void bind_walking_controller(py::module_& m) {
   FIELD(phase, "0 double, 1 single support");
   FIELD(support, "+1 left, -1 right: the foot that carries the ZMP");
   FIELD(step, "number of the step");
+  FIELD(at_rest, "stands, and is not asked to walk");
   FIELD(phase_time, "since the phase began [s]");
   FIELD(w_T, "eq. 18: lateral velocity in the middle of the next single support if the ZMP switched now [m/s]");
   FIELD(iterations, "passes of III-B, 0 where the ZMP was left alone");
@@ -86,6 +89,20 @@ void bind_walking_controller(py::module_& m) {
           "time.\n\n"
           "Raises:\n    InputError: the state is not finite, its terms belong to another, or reset() was not called; "
           "nothing is\n        changed.")
+      .def(
+          "command",
+          [](WalkingController& c, double vx, double vy, double wz) { c.command(Vec3(vx, vy, wz)); }, "vx"_a,
+          "vy"_a = 0.0, "wz"_a = 0.0, py::call_guard<py::gil_scoped_release>(),
+          "From the next cycle on, walk with (vx, vy, wz) in the heading frame instead of the profile's velocity; until "
+          "reset().\n\n"
+          "May be called from any thread, at any time. What the legs cannot reach is scaled down to "
+          "`within_reach`; how fast the\nrobot takes a command up is limited (settings forward_jump, "
+          "forward_acceleration, ...).\n\n"
+          "Args:\n    vx, vy: [m/s].\n    wz: [rad/s].\n\nRaises:\n    InputError: not finite.")
+      .def("reach_share", &WalkingController::reach_share, "velocity"_a,
+           "Share of the legs' reach that walking with velocity (v_x, v_y, w_z) takes; at most 1 can be walked.")
+      .def("within_reach", &WalkingController::within_reach, "velocity"_a,
+           "The velocity (v_x, v_y, w_z), made smaller until its reach_share is at most 1.")
       .def_property_readonly(
           "settings", [](const WalkingController& c) { return c.settings(); },
           "WalkSettings in force, every NaN filled in")
@@ -105,7 +122,7 @@ void bind_walking_controller(py::module_& m) {
       .def("knee_share", &WalkingController::knee_share, "speed"_a,
            "Share of the knee's torque limit that its own rotor and damping take at lift-off, walking at speed [m/s].")
       .def_property_readonly("speed_limit", &WalkingController::speed_limit,
-                             "largest speed the legs reach at this step period [m/s]")
+                             "largest v_x that the legs reach [m/s]")
       .def("plan_mismatch", &WalkingController::plan_mismatch, "duration"_a,
            "Largest speed of the footsteps minus the planned one within `duration` [s]; 0 where steps follow the "
            "profile [m/s].")

@@ -74,6 +74,9 @@ WalkSettings::WalkSettings(const std::string& preset) : law(preset) {
   bound_lateral = false;
   footsteps = Footsteps::kPaper;
   step_lengths = paper_step_lengths();
+  cadence_exponent = 0.0;
+  stand = false;
+  rate_limit = false;
   // (8) alone lags by one cycle of k_d, so it needs stiffer gains than a law with feed-forward.
   com_x_kp = 400.0;
   com_x_kd = 40.0;
@@ -106,6 +109,18 @@ WalkSettings resolve(const WalkSettings& settings, const RobotScale& robot, doub
   require_positive("T_ss", s.T_ss);
   fill(s.T_ds_first,
        LinearInvertedPendulum(robot.com_height, robot.gravity).first_double_support(s.T_ds + s.T_ss, s.T_ss));
+  const double speed = std::sqrt(robot.gravity * robot.com_height);  // Froude number 1
+  fill(s.cadence_speed, 0.1 * speed);
+  fill(s.cadence_turning, 0.54 * robot.com_height);
+  fill(s.closing_reach, 0.06 * robot.com_height);
+  fill(s.forward_jump, 0.036 * speed);
+  fill(s.sideways_jump, 0.03 * speed);
+  fill(s.turning_jump, 0.07 / Tc);
+  fill(s.forward_acceleration, 0.02 * robot.gravity);
+  fill(s.forward_deceleration, 0.046 * robot.gravity);
+  fill(s.sideways_acceleration, 0.025 * robot.gravity);
+  fill(s.turning_acceleration, 0.08 / (Tc * Tc));
+  fill(s.foot_clearance, 0.03 * robot.com_height);
   fill(s.tracker_gain, 1.38 / Tc);
   fill(s.tracker_time, 0.18 * Tc);
   const auto gains = [&](double& kp, double& kd, double kp_ref, double kd_ref) {
@@ -151,6 +166,11 @@ WalkSettings resolve(const WalkSettings& settings, const RobotScale& robot, doub
                                     {"step_width", s.step_width},
                                     {"step_height", s.step_height},
                                     {"foothold_time", s.foothold_time},
+                                    {"cadence_speed", s.cadence_speed},
+                                    {"forward_acceleration", s.forward_acceleration},
+                                    {"forward_deceleration", s.forward_deceleration},
+                                    {"sideways_acceleration", s.sideways_acceleration},
+                                    {"turning_acceleration", s.turning_acceleration},
                                     {"friction_velocity", s.friction_velocity},
                                     {"fall_height", s.fall_height},
                                     {"fall_tilt", s.fall_tilt},

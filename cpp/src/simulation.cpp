@@ -39,6 +39,8 @@ Recorder::Recorder(const WalkingController& controller, double duration) : contr
                                                         {"dcom", 3},
                                                         {"com_des", 3},
                                                         {"dcom_des", 3},
+                                                        {"heading", 1},
+                                                        {"command", 3},
                                                         {"v_plan", 3},
                                                         {"v_des", 3},
                                                         {"v_error_integral", 3},
@@ -54,6 +56,7 @@ Recorder::Recorder(const WalkingController& controller, double duration) : contr
                                                         {"phase", 1},
                                                         {"support", 1},
                                                         {"step", 1},
+                                                        {"at_rest", 1},
                                                         {"phase_time", 1},
                                                         {"w_T", 1},
                                                         {"iterations", 1},
@@ -96,6 +99,8 @@ void Recorder::add(const CycleOutput& out, const mjData* data) {
   push(out.dcom);
   push(out.com_des);
   push(out.dcom_des);
+  push(out.heading);
+  push(out.command);
   push(out.v_plan);
   push(out.v_des);
   push(out.v_error_integral);
@@ -111,6 +116,7 @@ void Recorder::add(const CycleOutput& out, const mjData* data) {
   push(out.phase);
   push(out.support);
   push(out.step);
+  push(out.at_rest);
   push(out.phase_time);
   push(out.w_T);
   push(out.iterations);

@@ -41,6 +41,15 @@ RobotDescription with_limits(RobotDescription description, const std::map<std::s
   return description;
 }
 
+SoleSize sole_of(const RobotDescription& description) {
+  const auto& [left, right] = description.feet;
+  return {std::max(left.length, right.length), std::min(left.width, right.width)};
+}
+
+std::string text_of(const Vec3& v) {
+  return std::to_string(v.x()) + " m/s, " + std::to_string(v.y()) + " m/s, " + std::to_string(v.z()) + " rad/s";
+}
+
 double top_speed(const VelocityProfile& profile) {
   double top = 0.0;
   for (const Vec3& v : profile.v()) top = std::max(top, v.x());
@@ -84,20 +93,23 @@ WalkingController::WalkingController(const mjModel* model, const RobotDescriptio
     : robot_(model, with_limits(description, settings.torque_limits)),
       profile_(profile),
       com_height_(stand_height(robot_.dynamics())),
-      half_sole_width_(0.5 * std::min(description.feet[kLeft].width, description.feet[kRight].width)),
+      sole_(sole_of(description)),
       settings_(resolve(settings, scale_of(robot_), top_speed(profile))),
       pendulum_(com_height_, robot_.dynamics().gravity.norm()),
-      gait_(settings_, profile_, half_sole_width_),
+      gait_(settings_, profile_, sole_),
       tracker_(settings_.tracker, settings_.tracker_gain, settings_.tracker_time, settings_.tracker_deadband),
       whole_body_(robot_.nv(), robot_.leg_joints(),
                   {settings_.textbook, settings_.posture_task, settings_.wrench_distribution, settings_.contact_damping,
                    settings_.singular_damping, settings_.singular_pivot, settings_.kernel}),
       estimator_(robot_.nv()),
       bounds_{bounds_of(robot_, kLeft, settings_), bounds_of(robot_, kRight, settings_)},
+      reach_(reach(kLeastKnee)),
+      hip_turn_(robot_.hip_turn()),
       R_HB_(Mat3::Identity()),
       kp_(settings_.com_x_kp, settings_.com_y_kp),
       kd_(settings_.com_x_kd, settings_.com_y_kd),
       R_S_(Mat2::Identity()),
+      R_H_(Mat2::Identity()),
       result_(whole_body_.result()),
       J_c_(RowMatX::Zero(12, robot_.nv())),
       drift_c_(VecX::Zero(12)) {
@@ -127,7 +139,7 @@ WalkPlan WalkingController::plan(double duration, double dt) const {
   WalkSettings settings = settings_;
   settings.control_dt = dt;
   require_positive("dt", dt);
-  return plan_walk(settings, profile_, pendulum_, bounds_, half_sole_width_, start_, duration);
+  return plan_walk(settings, profile_, pendulum_, bounds_, sole_, start_, duration);
 }
 
 double WalkingController::reach(double least_knee) const {
@@ -142,9 +154,27 @@ double WalkingController::reach(double least_knee) const {
   return std::max(least, 0.0);
 }
 
-double WalkingController::speed_limit() const {
-  // In double support the hip is up to v T_ds/2 past the middle of the feet, so an ankle is v (T + T_ds)/2 away along x.
-  return 2.0 * reach(kLeastKnee) / (settings_.T_ss + 2.0 * settings_.T_ds);
+double WalkingController::reach_share(const Vec3& velocity) const {
+  const StepTimes times = gait_.cadence().times(velocity);
+  const double T = times.period(), half = 0.5 * (T + times.T_ds);
+  const double along = half * velocity.x(), aside = T * velocity.y(), turn = half * velocity.z();
+  return std::max(std::hypot(along, aside) / reach_, std::abs(turn) / hip_turn_);
+}
+
+Vec3 WalkingController::within_reach(const Vec3& velocity) const {
+  if (reach_share(velocity) <= 1.0) return velocity;
+  double possible = 0.0, impossible = 1.0;
+  for (int i = 0; i < 40; ++i) {
+    const double middle = 0.5 * (possible + impossible);
+    (reach_share(middle * velocity) <= 1.0 ? possible : impossible) = middle;
+  }
+  return possible * velocity;
+}
+
+void WalkingController::command(const Vec3& velocity) {
+  if (!velocity.allFinite())
+    throw InputError("command (" + text_of(velocity) + ") is not finite; it is (v_x, v_y, w_z) [m/s, m/s, rad/s]");
+  mailbox_.put(within_reach(velocity));
 }
 
 double WalkingController::knee_share(double speed) const {
@@ -152,17 +182,14 @@ double WalkingController::knee_share(double speed) const {
 }
 
 void WalkingController::check_profile() const {
-  const double period = gait_.schedule().period(), limit = speed_limit();
-  for (const Vec3& v : profile_.v()) {
-    if (v.y() != 0.0 || v.z() != 0.0)
-      throw InputError("the profile asks for v_y = " + std::to_string(v.y()) + " m/s, w_z = " + std::to_string(v.z()) +
-                       " rad/s; this version walks straight ahead: both must be 0");
-    if (v.x() < 0.0 || v.x() > limit)
-      throw InputError("the profile asks for v_x = " + std::to_string(v.x()) + " m/s; this robot's legs reach 0 to " +
-                       std::to_string(limit) + " m/s at a step period of " + std::to_string(period) + " s");
-  }
+  for (const Vec3& v : profile_.v())
+    if (reach_share(v) > 1.0)
+      throw InputError("the profile asks for (v_x, v_y, w_z) = (" + text_of(v) +
+                       "); this robot's legs reach as far as (" + text_of(within_reach(v)) + ") at a step period of " +
+                       std::to_string(gait_.cadence().times(v).period()) + " s, and " + std::to_string(speed_limit()) +
+                       " m/s straight ahead");
   // From a stand, the COM may not run away from the first stance foot before the second stands.
-  const double room = reach(kLeastKnee);
+  const double room = reach_;
   if (start_excursion(1.0) <= room) return;
   if (start_excursion(0.0) > room)
     throw InputError("the COM would run " + std::to_string(start_excursion(0.0)) +
@@ -182,11 +209,11 @@ void WalkingController::check_profile() const {
 
 double WalkingController::start_excursion(double scale) const {
   // The pendulum under the smooth tracker, its ZMP held inside the bounds of the foot that carries it, up to the second lift-off.
-  const Schedule& schedule = gait_.schedule();
-  const double dt = settings_.control_dt, t_end = schedule.lift_off(1), t_switch = t_end - 0.5 * settings_.T_ds;
+  const VelocityProfile& plan = gait_.plan();
+  const double dt = settings_.control_dt, period = settings_.T_ds + settings_.T_ss;
+  const double t_end = settings_.T_ds_first + period, t_switch = t_end - 0.5 * settings_.T_ds;
   const double foothold =
-      scale *
-      (profile_.displacement(0.0, t_switch) + 0.5 * profile_.displacement(t_switch, t_switch + schedule.period())).x();
+      scale * (plan.displacement(0.0, t_switch) + 0.5 * plan.displacement(t_switch, t_switch + period)).x();
   VelocityTracker tracker(TrackerLaw::kSmooth, settings_.tracker_gain, settings_.tracker_time,
                           settings_.tracker_deadband);
   const Dynamics& dyn = robot_.dynamics();
@@ -194,7 +221,7 @@ double WalkingController::start_excursion(double scale) const {
   const double x_0 = (dyn.com - middle).head<2>().norm();
   PendulumState s{x_0, 0.0};
   for (double t = 0.0; t < t_end; t += dt) {
-    const double v_plan = scale * profile_.velocity(t).x(), foot = t < t_switch ? 0.0 : foothold;
+    const double v_plan = scale * plan.velocity(t).x(), foot = t < t_switch ? 0.0 : foothold;
     const double wanted = pendulum_.reference_for(s.x, tracker.acceleration(v_plan, s.v));
     const double r = std::clamp(wanted, foot + bounds_[kLeft].lower.x(), foot + bounds_[kLeft].upper.x());
     s = pendulum_.step(dt, s, r);
@@ -204,7 +231,7 @@ double WalkingController::start_excursion(double scale) const {
 }
 
 double WalkingController::plan_mismatch(double duration) const {
-  const double period = gait_.schedule().period();
+  const double period = settings_.T_ds + settings_.T_ss;
   return gait_.footsteps().mismatch(static_cast<int>(std::floor(duration / period + 1e-9)), period);
 }
 
@@ -224,6 +251,8 @@ void WalkingController::reset(const mjData* data) {
   start_ = gait_input(0.0, com_des_, dcom_des_);
   gait_.reset(start_, pendulum_);
   tracker_.reset();
+  Vec3 stale;
+  mailbox_.take(stale);
   VecX tau = std::move(out_.tau);
   out_ = CycleOutput{};
   out_.tau = std::move(tau);
@@ -256,8 +285,10 @@ const CycleOutput& WalkingController::update(mjData* data, Terms terms) {
 
   const GaitInput in =
       gait_input(t, measured ? Vec2(dyn.com.head<2>()) : com_des_, measured ? Vec2(dyn.dcom.head<2>()) : dcom_des_);
+  if (mailbox_.take(out_.command)) gait_.command(out_.command);
   const GaitOutput& gait = gait_.update(in);
-  R_S_ = rotation_z(gait.heading).topLeftCorner<2, 2>();
+  R_S_ = rotation_z(gait.yaw).topLeftCorner<2, 2>();
+  R_H_ = rotation_z(gait.heading).topLeftCorner<2, 2>();
   const auto to_S = [&](const Vec2& p) { return Vec2(R_S_.transpose() * p); };
   x_ = to_S(in.com - gait.origin);
   v_ = to_S(in.dcom);
@@ -267,7 +298,9 @@ const CycleOutput& WalkingController::update(mjData* data, Terms terms) {
   out_.t = data->time;
   out_.com = dyn.com;
   out_.dcom = dyn.dcom;
-  out_.v_plan = profile_.velocity(t);
+  out_.heading = gait.heading;
+  out_.at_rest = gait.at_rest;
+  out_.v_plan = gait.v_plan;
   out_.phase = static_cast<int>(gait.phase.phase);
   out_.support = static_cast<int>(side_sign(gait.support));
   out_.step = gait.phase.step;
@@ -299,7 +332,9 @@ void WalkingController::task_accelerations(const GaitOutput& gait) {
   const WalkSettings& s = settings_;
   f_star_.com.z() = pd_acceleration(s.com_z_kp, s.com_z_kd, ground_ + com_height_ - dyn.com.z(), -dyn.dcom.z());
   const Mat3 R_des = rotation_z(gait.heading) * R_HB_;
-  f_star_.trunk = pd_acceleration(s.trunk_kp, s.trunk_kd, orientation_error(R_des, dyn.R_WB), Vec3(-dyn.omega_WB));
+  const Vec3 turning(0.0, 0.0, gait.v_plan.z());
+  f_star_.trunk =
+      pd_acceleration(s.trunk_kp, s.trunk_kd, orientation_error(R_des, dyn.R_WB), Vec3(turning - dyn.omega_WB));
   f_star_.posture = pd_acceleration(s.posture_kp, s.posture_kd, robot_.stand() - dyn.q, -dyn.dq.tail(dyn.joints()));
   if (gait.phase.phase == Phase::kDoubleSupport) return;
   const SoleState& sole = dyn.sole[gait.swing];
@@ -314,8 +349,8 @@ void WalkingController::task_accelerations(const GaitOutput& gait) {
   }
 }
 
-WalkingController::Command WalkingController::command(const Vec2& r) const {
-  Command c;
+WalkingController::Desired WalkingController::desired(const Vec2& r) const {
+  Desired c;
   const double dt = settings_.control_dt;
   for (int i = 0; i < 2; ++i) {
     const PendulumState next = pendulum_.step(dt, {x_[i], v_[i]}, r[i]);
@@ -328,20 +363,20 @@ WalkingController::Command WalkingController::command(const Vec2& r) const {
 }
 
 void WalkingController::choose_reference(const GaitOutput& gait) {
-  const double dt = settings_.control_dt, v_plan = out_.v_plan.x();
+  const double dt = settings_.control_dt;
   const auto to_W = [&](const Vec2& p) { return Vec2(gait.origin + R_S_ * p); };
   const auto estimate_of = [&](const Vec2& f) {
     return Vec2(R_S_.transpose() * (whole_body_.zmp(R_S_ * f) - gait.origin));
   };
 
   // What velocity tracking alone asks for.
-  Vec2 r(0.0, gait.zmp_lateral);
-  const bool smooth = tracker_.law() == TrackerLaw::kSmooth;
-  if (smooth && settings_.zmp_modification)
-    r.x() = pendulum_.reference_for(x_.x(), tracker_.acceleration(v_plan, v_.x()));
-  Command c = command(r);
-  if (!smooth ||
-      !settings_.zmp_modification) {  // the desired velocity is the planned one, which stands: nothing to feed forward
+  const bool smooth = tracker_.law() == TrackerLaw::kSmooth && settings_.zmp_modification;
+  const Vec2 com = gait.origin + R_S_ * x_, dcom = R_S_ * v_;
+  Vec2 r = R_S_.transpose() * (reference_zmp(gait, pendulum_, tracker_, com, dcom) - gait.origin);
+  Desired c = desired(r);
+  if (!smooth && !gait.at_rest) {  // the desired velocity is the planned one, which stands: nothing to feed forward
+    const double v_plan = (R_S_.transpose() * R_H_ * gait.v_plan.head<2>()).x();
+    r.x() = 0.0;
     c.x_d.x() = x_.x() + v_plan * dt;
     c.v_d.x() = v_plan;
     c.f.x() = pd_acceleration(kp_.x(), kd_.x(), c.x_d.x() - x_meas_.x(), c.v_d.x() - v_meas_.x());
@@ -380,7 +415,7 @@ void WalkingController::choose_reference(const GaitOutput& gait) {
     // An axis that is left alone keeps its command.
     const Vec2 kept = c.f;
     const auto estimate = [&](const Vec2& r_ref) {
-      const Vec2 f = axes.cwiseProduct(command(r_ref).f) + (Vec2::Ones() - axes).cwiseProduct(kept);
+      const Vec2 f = axes.cwiseProduct(desired(r_ref).f) + (Vec2::Ones() - axes).cwiseProduct(kept);
       return estimate_of(f);
     };
     const Vec2 first = estimate(axes.cwiseProduct(wanted) + (Vec2::Ones() - axes).cwiseProduct(r));
@@ -388,7 +423,7 @@ void WalkingController::choose_reference(const GaitOutput& gait) {
         settings_.iteration == Iteration::kLoop
             ? iterate_reference(estimate, wanted, r, axes, settings_.zmp_threshold, settings_.max_iterations)
             : solve_reference(estimate, wanted, r, axes, slope, settings_.zmp_threshold);
-    const Command modified = command(found.zmp_ref);
+    const Desired modified = desired(found.zmp_ref);
     for (int i = 0; i < 2; ++i) {
       if (axes[i] == 0.0) continue;
       c.x_d[i] = modified.x_d[i];
@@ -411,8 +446,11 @@ void WalkingController::choose_reference(const GaitOutput& gait) {
   dcom_des_ = R_S_ * c.v_d;
   out_.com_des << com_des_, ground_ + com_height_;
   out_.dcom_des << dcom_des_, 0.0;
-  out_.v_des << c.v_d, 0.0;
-  tracker_.advance(c.v_d.x(), v_plan, dt);
+  out_.v_des << R_H_.transpose() * dcom_des_, gait.v_plan.z();
+  if (gait.at_rest)
+    tracker_.reset();
+  else
+    tracker_.advance(out_.v_des.x(), gait.v_plan.x(), dt);
   out_.v_error_integral.x() = tracker_.integral();
 }
 

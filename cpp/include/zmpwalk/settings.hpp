@@ -26,6 +26,13 @@ struct WalkSettings {
   // The cycle
   double control_dt = kNaN, T_ds = kNaN, T_ss = kNaN, T_ds_first = kNaN;
   std::string first_swing = "right";
+  double cadence_speed = kNaN, cadence_exponent = 0.5, cadence_sideways = 3.0, cadence_turning = kNaN;
+  bool stand = true;
+  double stand_gain = 1.0, closing_reach = kNaN, closing_turn = 0.05;
+  // How fast the planned velocity may change
+  bool rate_limit = true;
+  double forward_jump = kNaN, sideways_jump = kNaN, turning_jump = kNaN;
+  double forward_acceleration = kNaN, forward_deceleration = kNaN, sideways_acceleration = kNaN, turning_acceleration = kNaN;
   // Velocity tracking (III-C) and the reference ZMP (III-B)
   TrackerLaw tracker = TrackerLaw::kSmooth;
   double tracker_gain = kNaN, tracker_time = kNaN, tracker_deadband = 2e-4;
@@ -45,7 +52,7 @@ struct WalkSettings {
   // Footsteps and the swing foot
   Footsteps footsteps = Footsteps::kTied;
   std::vector<double> step_lengths;
-  double step_width = kNaN, step_height = kNaN, foothold_reach = kNaN, com_lead = kNaN, foothold_time = kNaN,
+  double step_width = kNaN, foot_clearance = kNaN, step_height = kNaN, foothold_reach = kNaN, com_lead = kNaN, foothold_time = kNaN,
          foothold_freeze = 0.7;
   bool swing_feed_forward = true;
   double swing_kp = kNaN, swing_kd = kNaN;
@@ -69,6 +76,26 @@ void visit_settings(Settings& s, Visitor&& v) {
   v("T_ss", s.T_ss, "s", "single support time; NaN: four fifths of the step period");
   v("T_ds_first", s.T_ds_first, "s", "first double support; NaN: computed so that the lateral orbit starts symmetric");
   v("first_swing", s.first_swing, "", "foot that swings first, 'right' or 'left'");
+  v("cadence_speed", s.cadence_speed, "m/s",
+    "speed up to which steps take T_ds + T_ss and grow longer; NaN: 0.1 of sqrt(g COM height)");
+  v("cadence_exponent", s.cadence_exponent, "",
+    "above it, steps take (cadence_speed / speed)^exponent of that; 0: always the same");
+  v("cadence_sideways", s.cadence_sideways, "", "what 1 m/s sideways counts as forward, for the cadence");
+  v("cadence_turning", s.cadence_turning, "m/rad",
+    "what 1 rad/s counts as forward, for the cadence; NaN: 0.54 of the COM height");
+  v("stand", s.stand, "", "stand, feet side by side, while the profile is zero; False: step on the spot");
+  v("stand_gain", s.stand_gain, "", "standing: how far the ZMP goes beyond the DCM, per distance from the middle");
+  v("closing_reach", s.closing_reach, "m",
+    "the last step goes beside the stance foot where the COM will rest this near; NaN: 0.06 of the COM height");
+  v("closing_turn", s.closing_turn, "rad", "and where the headings of path and stance foot differ by no more");
+  v("rate_limit", s.rate_limit, "", "limit how fast the planned velocity changes; False: take profiles as they are");
+  v("forward_jump", s.forward_jump, "m/s", "change of v_x that passes at once; NaN: 0.036 of sqrt(g COM height)");
+  v("sideways_jump", s.sideways_jump, "m/s", "change of v_y that passes at once; NaN: 0.03 of sqrt(g COM height)");
+  v("turning_jump", s.turning_jump, "rad/s", "change of w_z that passes at once; NaN: 0.07 / T_c");
+  v("forward_acceleration", s.forward_acceleration, "m/s^2", "at which v_x grows beyond that; NaN: 0.02 g");
+  v("forward_deceleration", s.forward_deceleration, "m/s^2", "at which v_x goes back to zero; NaN: 0.046 g");
+  v("sideways_acceleration", s.sideways_acceleration, "m/s^2", "at which v_y follows beyond that; NaN: 0.025 g");
+  v("turning_acceleration", s.turning_acceleration, "rad/s^2", "at which w_z follows beyond that; NaN: 0.08 / T_c^2");
   v("tracker", s.tracker, "", "velocity tracker: 'smooth' or 'bang_bang' (III-C as printed)");
   v("tracker_gain", s.tracker_gain, "1/s",
     "smooth tracker: speed asked for per metre of integrated error; NaN: 1.38 / T_c");
@@ -97,6 +124,7 @@ void visit_settings(Settings& s, Visitor&& v) {
   v("footsteps", s.footsteps, "", "'tied' to the COM, 'absolute', 'paper', 'printed' or 'list' (step_lengths)");
   v("step_lengths", s.step_lengths, "m", "lead of each step over the stance foot, the last one repeated");
   v("step_width", s.step_width, "m", "lateral distance of the feet; NaN: as they stand at the start");
+  v("foot_clearance", s.foot_clearance, "m", "least distance of the soles' edges sideways; NaN: 0.03 of the COM height");
   v("step_height", s.step_height, "m",
     "height of the swing foot; NaN: 0.0535 of the COM height, less (to 0.01) where the knee's rotor and damping would "
     "take "

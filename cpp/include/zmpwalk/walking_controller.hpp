@@ -9,6 +9,7 @@
 #include "zmpwalk/gait/gait_generator.hpp"
 #include "zmpwalk/gait/plan.hpp"
 #include "zmpwalk/gait/velocity_tracker.hpp"
+#include "zmpwalk/math/mailbox.hpp"
 #include "zmpwalk/robot/robot.hpp"
 #include "zmpwalk/settings.hpp"
 #include "zmpwalk/zmp/bounds.hpp"
@@ -25,6 +26,8 @@ struct CycleOutput {
   double t = 0.0;                                           ///< simulation time of the state [s]
   Vec3 com = Vec3::Zero(), dcom = Vec3::Zero();             ///< measured
   Vec3 com_des = Vec3::Zero(), dcom_des = Vec3::Zero();     ///< for the next cycle: x_d, v_d of (16), (17)
+  double heading = 0.0;                                     ///< of the walk, in W [rad]
+  Vec3 command = Vec3::Constant(kNaN);                      ///< live command in force; NaN while the profile leads
   Vec3 v_plan = Vec3::Zero();                               ///< planned velocity (v_x, v_y, w_z), heading frame
   Vec3 v_des = Vec3::Zero();                                ///< desired velocity, heading frame
   Vec3 v_error_integral = Vec3::Zero();                     ///< integral of v_des - v_plan [m, m, rad]
@@ -39,6 +42,7 @@ struct CycleOutput {
   int phase = 0;                     ///< 0 double, 1 single support
   int support = 1;                   ///< +1 left, -1 right
   int step = 0;
+  bool at_rest = false;                             ///< stands, and is not asked to walk
   double phase_time = 0.0;                          ///< [s]
   double w_T = kNaN;                                ///< Eq. 18 [m/s]
   int iterations = 0;                               ///< passes of III-B; 0 where the ZMP was left alone
@@ -83,6 +87,13 @@ class WalkingController {
   ///         never called. Allocates nothing.
   const CycleOutput& update(mjData* data, Terms terms = Terms::kCompute);
 
+  /// From the next cycle on, walk with this velocity in the heading frame instead of the profile's; until `reset`.
+  ///
+  /// May be called from any thread, while another updates. What the legs cannot reach is scaled down to `within_reach`; how fast
+  /// the robot takes it up is limited (`forward_acceleration`, ...).
+  /// @param velocity (v_x, v_y, w_z) [m/s, m/s, rad/s]. @throws InputError not finite
+  void command(const Vec3& velocity);
+
   const CycleOutput& output() const { return out_; }
   // What the last cycle asked of the whole body.
   const Stance& stance() const { return stance_; }
@@ -95,8 +106,15 @@ class WalkingController {
   double Tc() const { return pendulum_.Tc(); }                        ///< [s]
   const ZmpBounds& bounds(Side side) const { return bounds_[side]; }  ///< in the sole's axes, about its centre
 
-  /// Largest speed the legs can reach at this step period, v (T + T_ds)/2 from hip to ankle with the knee still bent [m/s].
-  double speed_limit() const;
+  /// Share of the legs' reach that walking with `velocity` takes: beside 1 the knee is nearly straight, or the hip turned to its end.
+  ///
+  /// In double support an ankle is v_x (T + T_ds)/2 ahead of or behind its hip, at most |v_y| T beside it, and turned by
+  /// w_z (T + T_ds)/2; T and T_ds are the cadence's for that velocity.
+  double reach_share(const Vec3& velocity) const;
+  /// `velocity`, made smaller until its `reach_share` is at most 1.
+  Vec3 within_reach(const Vec3& velocity) const;
+  /// Largest v_x within reach [m/s].
+  double speed_limit() const { return within_reach({kTooFast, 0.0, 0.0}).x(); }
   /// Share of the knee's torque limit that its own rotor and damping take at lift-off when walking at `speed` [m/s]; see `zmpwalk::knee_share`.
   double knee_share(double speed) const;
   /// Largest difference between the speed of a footstep list and of the profile within `duration` [s]; 0 where steps follow the profile [m/s].
@@ -106,10 +124,11 @@ class WalkingController {
   WalkPlan plan(double duration, double dt) const;
 
  private:
-  struct Command {     // what a reference ZMP leads to, in S
+  static constexpr double kTooFast = 10.0;  // no biped's walk [m/s]
+  struct Desired {     // what a reference ZMP leads to, in S
     Vec2 x_d, v_d, f;  // next COM state (16), commanded acceleration (8)
   };
-  Command command(const Vec2& r) const;
+  Desired desired(const Vec2& r) const;
   GaitInput gait_input(double t, const Vec2& com, const Vec2& dcom) const;
   void task_accelerations(const GaitOutput& gait);
   void choose_reference(const GaitOutput& gait);
@@ -118,11 +137,12 @@ class WalkingController {
   double reach(double least_knee) const;  // of the hips over an ankle along x, at the height of the start pose [m]
   void check_profile() const;
   double start_excursion(
-      double scale) const;  // of the COM from the first stance foot, for the profile times `scale` [m]
+      double scale) const;  // of the COM from the first stance foot, for the plan times `scale` [m]
 
   Robot robot_;
   VelocityProfile profile_;
-  double com_height_, half_sole_width_;
+  double com_height_;
+  SoleSize sole_;
   WalkSettings settings_;
   LinearInvertedPendulum pendulum_;
   GaitGenerator gait_;
@@ -130,6 +150,9 @@ class WalkingController {
   WholeBodyController whole_body_;
   ZmpEstimator estimator_;
   std::array<ZmpBounds, 2> bounds_;
+
+  double reach_, hip_turn_;  // of the legs along the ground [m], of the hips about the vertical [rad]
+  Mailbox mailbox_;
 
   // State of a walk
   bool started_ = false;
@@ -146,7 +169,7 @@ class WalkingController {
   Vec2 x_, v_;            // "current" COM state of (16), S
   Vec2 x_meas_, v_meas_;  // measured, S
   Vec2 kp_, kd_, df_dr_;
-  Mat2 R_S_;
+  Mat2 R_S_, R_H_;
   Vec2 f_xy_ = Vec2::Zero();  // commanded COM acceleration, W
   Stance stance_;
   TaskAccelerations f_star_;

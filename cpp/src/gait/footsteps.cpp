@@ -3,58 +3,106 @@
 #include <algorithm>
 #include <cmath>
 
+#include "zmpwalk/math/rotation.hpp"
+
 namespace zmpwalk {
 namespace {
 
-Vec2 direction(double yaw) { return {std::cos(yaw), std::sin(yaw)}; }
-Vec2 leftward(double yaw) { return {-std::sin(yaw), std::cos(yaw)}; }
+/// `travel` (x, y, yaw) made from `from`.
+Foothold moved(const Foothold& from, const Vec3& travel) {
+  return {from.p + travel.x() * ahead_of(from.yaw) + travel.y() * left_of(from.yaw), from.yaw + travel.z()};
+}
 
 }  // namespace
 
-FootstepPlanner::FootstepPlanner(const WalkSettings& settings, const VelocityProfile& profile)
-    : settings_(settings), profile_(&profile) {}
+Vec2 ahead_of(double yaw) { return {std::cos(yaw), std::sin(yaw)}; }
+Vec2 left_of(double yaw) { return {-std::sin(yaw), std::cos(yaw)}; }
+
+FootstepPlanner::FootstepPlanner(const WalkSettings& settings, const VelocityProfile& plan, const SoleSize& sole)
+    : settings_(settings), plan_(&plan), sole_(sole) {}
 
 void FootstepPlanner::reset(const std::array<Foothold, 2>& feet, double heading) {
   planned_ = feet;
-  heading_ = heading;
-  origin_ = 0.5 * (feet[kLeft].p + feet[kRight].p);
+  t_ = 0.0;
+  path_.yaw = heading;
   nominal_ = target_ = Foothold{};
+  restart(feet);
+}
+
+void FootstepPlanner::restart(const std::array<Foothold, 2>& feet) {
+  path_.p = 0.5 * (feet[kLeft].p + feet[kRight].p);
+}
+
+void FootstepPlanner::advance(double t, const Vec2& com) {
+  path_ = moved(path_, plan_->travel(t_, t));
+  t_ = t;
+  if (settings_.footsteps != Footsteps::kTied) return;
+  const Vec2 ahead = ahead_of(path_.yaw);
+  path_.p += ((com - path_.p).dot(ahead) - settings_.com_lead) * ahead;
 }
 
 double FootstepPlanner::lead(int n, double t_mid, double period) const {
   const std::vector<double>& lengths = settings_.step_lengths;
   if (!lengths.empty()) return lengths[std::min<std::size_t>(n, lengths.size() - 1)];
-  return profile_->displacement(t_mid, t_mid + period).x();
+  return plan_->displacement(t_mid, t_mid + period).x();
+}
+
+Foothold FootstepPlanner::planned(Side swing, double t_mid, double period) const {
+  const Vec3 stance = plan_->travel(t_mid, t_mid + period);
+  const Foothold middle = moved(moved(path_, plan_->travel(t_, t_mid)), 0.5 * stance);
+  return moved(middle, {0.0, 0.5 * side_sign(swing) * width(stance.y()), 0.0});
+}
+
+Foothold FootstepPlanner::clear(Foothold place, Side swing, const Foothold& stance) const {
+  const double turn = std::abs(wrap_angle(place.yaw - stance.yaw));
+  // The stance sole's half width, and how far the corner of a sole turned by `turn` reaches.
+  const double apart = 0.5 * (sole_.width + sole_.width * std::cos(turn) + sole_.length * std::sin(turn));
+  const Vec2 left = left_of(stance.yaw);
+  const double gap = side_sign(swing) * (place.p - stance.p).dot(left) - apart - settings_.foot_clearance;
+  if (gap < 0.0) place.p -= side_sign(swing) * gap * left;
+  return place;
 }
 
 Foothold FootstepPlanner::begin_step(int n, Side swing, const Foothold& stance, double t_mid, double period) {
-  const Vec2 ahead = direction(heading_), left = leftward(heading_);
-  const double L = lead(n, t_mid, period);
-  const Foothold& from = settings_.footsteps == Footsteps::kAbsolute ? planned_[other(swing)] : stance;
-  nominal_ = {from.p + L * ahead + side_sign(swing) * settings_.step_width * left, heading_};
-  if (settings_.footsteps == Footsteps::kAbsolute && settings_.step_lengths.empty()) {
-    // Plan the COM from the start, and put the foot half a lead ahead of where the plan has it in mid double support.
-    const double x = profile_->displacement(0.0, t_mid).x() + 0.5 * L;
-    nominal_.p += (x - (nominal_.p - origin_).dot(ahead)) * ahead;
+  swing_ = swing;
+  stance_ = stance;
+  closing_ = false;
+  const Foothold plan = planned(swing, t_mid, period);
+  const Vec2 ahead = ahead_of(plan.yaw);
+  nominal_ = plan;
+  if (settings_.footsteps != Footsteps::kAbsolute || !settings_.step_lengths.empty()) {
+    const Foothold& from = settings_.footsteps == Footsteps::kAbsolute ? planned_[other(swing)] : stance;
+    nominal_.p += (lead(n, t_mid, period) - (plan.p - from.p).dot(ahead)) * ahead;
   }
+  nominal_ = clear(nominal_, swing, stance);
   planned_[swing] = nominal_;
   target_ = nominal_;
   return target_;
 }
 
-const Foothold& FootstepPlanner::update(const Vec2& com, const Vec2& dcom, double t, double t_mid, double period,
-                                        double Tc, double share, double dt) {
-  if (settings_.footsteps != Footsteps::kTied || share > settings_.foothold_freeze) return target_;
-  const Vec2 ahead = direction(heading_);
-  const double v_plan = profile_->velocity(t).x();
-  const double L = lead(0, t_mid, period);
-  const double x_T = com.dot(ahead) + profile_->displacement(t, t_mid).x() + Tc * (dcom.dot(ahead) - v_plan) + 0.5 * L -
-                     settings_.com_lead;
-  const double reach = settings_.foothold_reach;
-  const double wanted = std::clamp(x_T - nominal_.p.dot(ahead), -reach, reach);
-  const double now = (target_.p - nominal_.p).dot(ahead);
+bool FootstepPlanner::close(Side swing, const Foothold& stance, const Vec2& dcom, double Tc) {
+  const Foothold beside = moved(stance, {0.0, side_sign(swing) * settings_.step_width, 0.0});
+  const Vec2 ahead = ahead_of(path_.yaw);
+  const double missed = (planned(swing, t_, 0.0).p + Tc * dcom.dot(ahead) * ahead - beside.p).norm();
+  closing_ = missed <= settings_.closing_reach && std::abs(wrap_angle(path_.yaw - stance.yaw)) <= settings_.closing_turn;
+  if (closing_) nominal_ = target_ = beside;
+  return closing_;
+}
+
+const Foothold& FootstepPlanner::update(const Vec2& dcom, double aside, double t_mid, double period, double Tc,
+                                        double share, double dt) {
+  if (closing_ || settings_.footsteps != Footsteps::kTied || share > settings_.foothold_freeze) return target_;
+  Foothold wanted = planned(swing_, t_mid, period);
+  const Vec2 ahead = ahead_of(wanted.yaw), left = left_of(wanted.yaw);
+  const Vec2 v_plan = plan_->velocity(t_).head<2>();
+  const double along = ahead_of(path_.yaw).dot(dcom) - v_plan.x(), reach = settings_.foothold_reach;
+  const Vec2 off = wanted.p + Tc * along * ahead_of(path_.yaw) - nominal_.p;
+  wanted.p = nominal_.p + std::clamp(off.dot(ahead), -reach, reach) * ahead +
+             (off.dot(left) + std::clamp(aside, -reach, reach)) * left;
+  wanted = clear(wanted, swing_, stance_);
   const double blend = 1.0 - std::exp(-dt / settings_.foothold_time);
-  target_.p += blend * (wanted - now) * ahead;
+  target_.p += blend * (wanted.p - target_.p);
+  target_.yaw += blend * wrap_angle(wanted.yaw - target_.yaw);
   return target_;
 }
 
@@ -65,7 +113,7 @@ double FootstepPlanner::mismatch(int steps, double period) const {
     // A step moves the middle of the feet by half of the leads before and after it. The plan's periods start at 0.
     const double L = lead(n, 0.0, period);
     const double feet = 0.5 * (previous + L) / period;
-    const double plan = profile_->displacement(n * period, (n + 1) * period).x() / period;
+    const double plan = plan_->displacement(n * period, (n + 1) * period).x() / period;
     if (std::abs(feet - plan) > std::abs(worst)) worst = feet - plan;
     previous = L;
   }

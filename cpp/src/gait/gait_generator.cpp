@@ -10,31 +10,122 @@ namespace {
 
 Foothold foothold_of(const Vec3& p, const Mat3& R) { return {p.head<2>(), yaw_of(R)}; }
 
+std::array<Foothold, 2> feet_of(const GaitInput& in) {
+  return {foothold_of(in.p_sole[kLeft], in.R_sole[kLeft]), foothold_of(in.p_sole[kRight], in.R_sole[kRight])};
+}
+
+Side first_swing(const WalkSettings& settings) { return settings.first_swing == "left" ? kLeft : kRight; }
+
 }  // namespace
 
-GaitGenerator::GaitGenerator(const WalkSettings& settings, const VelocityProfile& profile, double half_sole_width)
+Vec2 reference_zmp(const GaitOutput& gait, const LinearInvertedPendulum& pendulum, const VelocityTracker& tracker,
+                   const Vec2& com, const Vec2& dcom) {
+  if (gait.at_rest) return gait.zmp_rest;
+  const Vec2 ahead = ahead_of(gait.heading);
+  const double a = tracker.acceleration(gait.v_plan.x(), dcom.dot(ahead));
+  return gait.origin + pendulum.reference_for((com - gait.origin).dot(ahead), a) * ahead +
+         gait.zmp_lateral * left_of(gait.heading);
+}
+
+GaitGenerator::GaitGenerator(const WalkSettings& settings, const VelocityProfile& profile, const SoleSize& sole)
     : settings_(settings),
+      cadence_{{settings.T_ds, settings.T_ss},
+               settings.cadence_speed,
+               settings.cadence_exponent,
+               {1.0, settings.cadence_sideways, settings.cadence_turning}},
+      limits_{{settings.forward_jump, settings.sideways_jump, settings.turning_jump},
+              {settings.forward_acceleration, settings.sideways_acceleration, settings.turning_acceleration},
+              {settings.forward_deceleration, settings.sideways_acceleration, settings.turning_acceleration}},
+      profile_(settings.rate_limit ? profile.limited(limits_) : profile),
+      plan_(profile_),
       schedule_(settings.T_ds_first, settings.T_ds, settings.T_ss),
-      footsteps_(settings, profile),
-      lateral_(settings.lateral_feedback, settings.lateral_reach * half_sole_width),
-      pendulum_(1.0, 1.0) {}
+      footsteps_(settings, plan_, sole),
+      lateral_(settings.lateral_feedback, settings.lateral_reach * 0.5 * sole.width),
+      pendulum_(1.0, 1.0) {
+  plan_.reserve();
+}
 
 void GaitGenerator::reset(const GaitInput& start, const LinearInvertedPendulum& pendulum) {
   pendulum_ = pendulum;
+  plan_ = profile_;
+  plan_.reserve();
+  allowance_ = limits_.jump;
+  commanded_ = false;
+  t_command_ = 0.0;
+  closing_ = false;
   out_ = GaitOutput{};
-  out_.swing = settings_.first_swing == "left" ? kLeft : kRight;
-  out_.support = out_.swing;
-  const Foothold left = foothold_of(start.p_sole[kLeft], start.R_sole[kLeft]);
-  const Foothold right = foothold_of(start.p_sole[kRight], start.R_sole[kRight]);
-  out_.heading = left.yaw + 0.5 * wrap_angle(right.yaw - left.yaw);
+  const std::array<Foothold, 2> feet = feet_of(start);
+  out_.heading = feet[kLeft].yaw + 0.5 * wrap_angle(feet[kRight].yaw - feet[kLeft].yaw);
+  footsteps_.reset(feet, out_.heading);
+  out_.swing = out_.support = first_swing(settings_);
   lateral_.reset(out_.support);
-  footsteps_.reset({left, right}, out_.heading);
+  schedule_.begin(0, 0.0, settings_.T_ds_first, cadence_.slow);
+  out_.at_rest = true;  // until the first cycle finds that the plan moves
+}
+
+void GaitGenerator::command(const Vec3& velocity) {
+  command_ = velocity;
+  commanded_ = true;
+}
+
+void GaitGenerator::take_command(double t) {
+  if (!commanded_) return;
+  commanded_ = false;
+  const Vec3 spent = (plan_.velocity(t) - plan_.velocity(t_command_)).cwiseAbs();
+  allowance_ += ((t - t_command_) * limits_.acceleration - spent).cwiseMax(0.0);
+  allowance_ = allowance_.cwiseMin(limits_.jump);
+  const Vec3 before = plan_.velocity(t);
+  plan_.steer(t, command_, limits_, allowance_);
+  allowance_ = (allowance_ - (plan_.velocity(t) - before).cwiseAbs()).cwiseMax(0.0);
+  t_command_ = t;
+}
+
+StepTimes GaitGenerator::times_at(double t) const {
+  const double T = cadence_.slow.period();
+  return cadence_.times(plan_.displacement(t, t + T) / T);
+}
+
+void GaitGenerator::begin_walk(const GaitInput& in) {
+  const StepTimes times = times_at(in.t);
+  out_.at_rest = false;
+  out_.swing = first_swing(settings_);
+  const double v_y = plan_.displacement(in.t, in.t + times.period()).y();
+  if (v_y != 0.0) out_.swing = v_y > 0.0 ? kLeft : kRight;  // the foot on that side opens the way
+  lateral_.reset(out_.swing);
+  footsteps_.restart(feet_of(in));
+  const bool slow = times.period() == cadence_.slow.period();
+  const double T_ds = slow ? settings_.T_ds_first : pendulum_.first_double_support(times.period(), times.T_ss);
+  schedule_.begin(out_.phase.step, in.t, T_ds, times);
+}
+
+bool GaitGenerator::begin_phase(const GaitInput& in) {
+  bool began = false;
+  if (out_.at_rest) {
+    // The first step lifts when the plan moves, and half of its double support has gone by.
+    if (settings_.stand && plan_.at_rest(in.t, in.t + 0.5 * settings_.T_ds_first)) return false;
+    begin_walk(in);
+    began = true;
+  } else if (schedule_.landed(in.t)) {
+    out_.swing = other(out_.swing);  // the foot that stood swings next
+    began = true;
+    if (closing_) {
+      out_.at_rest = true;
+      ++out_.phase.step;
+      closing_ = false;
+      return true;
+    }
+    schedule_.next(times_at(in.t));
+    lateral_.begin_cycle(true);
+    return true;
+  }
+  lateral_.begin_cycle(false);
+  return began;
 }
 
 const GaitOutput& GaitGenerator::update(const GaitInput& in) {
   update_steps(in);
   if (out_.phase.phase == Phase::kDoubleSupport) return out_;
-  if (changed_) {
+  if (lifted_) {
     const double z_land = std::isnan(in.ground) ? in.p_sole[other(out_.swing)].z() : in.ground;
     swing_foot_.begin(in.p_sole[out_.swing], in.R_sole[out_.swing], out_.phase.duration, z_land, settings_.step_height);
   }
@@ -43,44 +134,82 @@ const GaitOutput& GaitGenerator::update(const GaitInput& in) {
 }
 
 const GaitOutput& GaitGenerator::update_steps(const GaitInput& in) {
-  const GaitPhase before = out_.phase;
-  out_.phase = schedule_.at(in.t);
-  const bool single = out_.phase.phase == Phase::kSingleSupport;
-  changed_ = out_.phase.phase != before.phase || out_.phase.step != before.step;
-  const double t_mid = in.t + out_.phase.to_mid_double;
-  const double dt = settings_.control_dt;
-
-  if (changed_ && !single) out_.swing = other(out_.swing);  // the foot that stood swings next
-  lateral_.begin_cycle(changed_ && !single);
-  out_.support = lateral_.support();
+  footsteps_.advance(in.t, in.com);
+  take_command(in.t);
+  const bool began = begin_phase(in);
+  out_.heading = footsteps_.heading();
+  out_.v_plan = plan_.velocity(in.t);
   out_.standing = {true, true};
-  out_.origin = in.p_sole[out_.support].head<2>();
   out_.foothold = {Vec2::Constant(kNaN), kNaN};
   out_.w_T = kNaN;
-
-  if (single) {
-    const Side stance = other(out_.swing);
-    out_.standing[out_.swing] = false;
-    if (changed_)
-      footsteps_.begin_step(out_.phase.step, out_.swing, foothold_of(in.p_sole[stance], in.R_sole[stance]), t_mid,
-                            schedule_.period());
-    out_.foothold = footsteps_.update(in.com, in.dcom, in.t, t_mid, schedule_.period(), pendulum_.Tc(),
-                                      out_.phase.time / out_.phase.duration, dt);
+  out_.zmp_lateral = 0.0;
+  lifted_ = false;
+  if (out_.at_rest) {
+    const double since = began ? 0.0 : out_.phase.time + settings_.control_dt;
+    out_.phase = {Phase::kDoubleSupport, out_.phase.step, since, since, kNaN, kNaN};
+  } else {
+    const bool was_single = out_.phase.phase == Phase::kSingleSupport && !began;
+    out_.phase = schedule_.at(in.t);
+    const bool single = out_.phase.phase == Phase::kSingleSupport;
+    lifted_ = single && !was_single;
+    if (began || lifted_) {
+      const double t_mid = in.t + out_.phase.to_mid_double;
+      period_ = times_at(t_mid).period();
+    }
+    out_.support = lateral_.support();
+    out_.standing[out_.swing] = !single;
   }
-
-  // Lateral motion about the support's sole centre, along the left of the heading.
-  const Vec2 left(-std::sin(out_.heading), std::cos(out_.heading));
-  const PendulumState y{(in.com - out_.origin).dot(left), in.dcom.dot(left)};
-  const Side to = other(out_.support);
-  const Vec2 there = single ? out_.foothold.p : Vec2(in.p_sole[to].head<2>());
-  out_.zmp_lateral = lateral_.reference(pendulum_, y, std::abs((there - out_.origin).dot(left)),
-                                        out_.phase.to_mid_double, schedule_.period());
-  if (!single && lateral_.awaits_switch()) {
-    const bool last = out_.phase.time + 1.5 * dt >= out_.phase.duration;
-    const double across = (in.p_sole[to].head<2>() - out_.origin).dot(left);
-    out_.w_T = lateral_.check_switch(pendulum_, y, out_.zmp_lateral, across, out_.phase.to_mid_single, dt, last);
+  out_.origin = in.p_sole[out_.support].head<2>();
+  out_.yaw = yaw_of(in.R_sole[out_.support]);
+  if (out_.at_rest) {
+    // The ZMP leads the DCM back to the middle between the feet.
+    const Vec2 middle = 0.5 * (in.p_sole[kLeft] + in.p_sole[kRight]).head<2>();
+    const Vec2 xi = in.com + pendulum_.Tc() * in.dcom;
+    out_.zmp_rest = xi + settings_.stand_gain * (xi - middle);
+  } else {
+    move_sideways(in);
   }
   return out_;
+}
+
+void GaitGenerator::move_sideways(const GaitInput& in) {
+  const bool single = out_.phase.phase == Phase::kSingleSupport;
+  const double dt = settings_.control_dt, time = out_.phase.to_mid_double, t_mid = in.t + time;
+  const Side stance = other(out_.swing), to = other(out_.support);
+  const Vec2 left = left_of(out_.heading);
+  const auto across = [&](const Vec2& p) { return (p - out_.origin).dot(left); };
+  const PendulumState y{across(in.com), in.dcom.dot(left)};
+  const double xi = pendulum_.dcm(y), drift = footsteps_.drift(t_mid, period_);
+
+  // The orbit's DCM in the middle of the next double support, for a foot that lands at `there`; before a stand, half way to it.
+  const auto xi_end = [&](const Vec2& there) {
+    if (closing_) return 0.5 * across(there);
+    return across(there) +
+           side_sign(out_.support) * pendulum_.orbit_inset(footsteps_.width(drift), period_) +
+           pendulum_.orbit_offset(drift, period_);
+  };
+  if (single) {
+    const Foothold foot = foothold_of(in.p_sole[stance], in.R_sole[stance]);
+    if (lifted_) {
+      footsteps_.begin_step(out_.phase.step, out_.swing, foot, t_mid, period_);
+      closing_ = settings_.stand && plan_.at_rest(in.t, schedule_.touch_down() + schedule_.times().T_ds) &&
+                 footsteps_.close(out_.swing, foot, in.dcom, pendulum_.Tc());
+    }
+    const double aside = lateral_.miss(pendulum_, xi, xi_end(footsteps_.planned(out_.swing, t_mid, period_).p), time);
+    out_.foothold = footsteps_.update(in.dcom, aside, t_mid, period_, pendulum_.Tc(),
+                                      out_.phase.time / out_.phase.duration, dt);
+  }
+  if (lateral_.awaits_switch()) {
+    if (single) return;
+    const bool last = out_.phase.time + 1.5 * dt >= out_.phase.duration;
+    const double w_orbit = pendulum_.orbit_velocity(footsteps_.drift(in.t, schedule_.times().period()),
+                                                    schedule_.times().period());
+    out_.w_T = lateral_.check_switch(pendulum_, y, 0.0, across(in.p_sole[to].head<2>()), out_.phase.to_mid_single,
+                                     w_orbit, dt, last);
+    return;
+  }
+  const Vec2 there = single ? out_.foothold.p : footsteps_.planned(out_.swing, t_mid, period_).p;
+  out_.zmp_lateral = lateral_.reference(pendulum_, xi, xi_end(there), time);
 }
 
 }  // namespace zmpwalk

@@ -20,24 +20,28 @@ void LateralMotion::begin_cycle(bool double_support_began) {
 }
 
 double LateralMotion::check_switch(const LinearInvertedPendulum& pendulum, const PendulumState& now, double r,
-                                   double other_foot, double T, double dt, bool last) {
-  const auto w_T_after = [&](int cycles) {
+                                   double other_foot, double T, double w_orbit, double dt, bool last) {
+  const auto off_orbit_after = [&](int cycles) {
     PendulumState s = pendulum.step(cycles * dt, now, r);
     s.x -= other_foot;
-    return pendulum.velocity_after(T - cycles * dt, s);
+    return pendulum.velocity_after(T - cycles * dt, s) - w_orbit;
   };
   // Too early, the COM would turn back before the middle of the step: w(T) then points away from the foot to come. Of the two
   // cycles on either side of w(T) = 0 the nearer one is taken: always the later one would be half a cycle late on average.
-  const double next = w_T_after(1);
-  decided_ = last || side_sign(other(support_)) * (next + w_T_after(2)) >= 0.0;
-  return next;
+  const double next = off_orbit_after(1);
+  decided_ = last || side_sign(other(support_)) * (next + off_orbit_after(2)) >= 0.0;
+  return next + w_orbit;
 }
 
-double LateralMotion::reference(const LinearInvertedPendulum& pendulum, const PendulumState& state, double width,
-                                double time, double period) const {
+double LateralMotion::reference(const LinearInvertedPendulum& pendulum, double xi, double xi_end, double time) const {
   if (!feedback_ || awaits_ || !(time > 0.0)) return 0.0;
-  const double xi_end = -side_sign(support_) * pendulum.orbit_dcm(width, period);
-  return std::clamp(pendulum.reference_to_reach(pendulum.dcm(state), xi_end, time), -reach_, reach_);
+  return std::clamp(pendulum.reference_to_reach(xi, xi_end, time), -reach_, reach_);
+}
+
+double LateralMotion::miss(const LinearInvertedPendulum& pendulum, double xi, double xi_end, double time) const {
+  if (!feedback_ || awaits_ || !(time > 0.0)) return 0.0;
+  const double r = pendulum.reference_to_reach(xi, xi_end, time);
+  return (std::clamp(r, -reach_, reach_) - r) * -std::expm1(time / pendulum.Tc());
 }
 
 }  // namespace zmpwalk

@@ -32,8 +32,16 @@ double LinearInvertedPendulum::reference_to_reach(double xi, double xi_end, doub
   return (xi_end - xi * grow) / (1.0 - grow);
 }
 
-double LinearInvertedPendulum::orbit_dcm(double width, double period) const {
-  return 0.5 * width * (1.0 + std::tanh(0.5 * period / Tc_));
+double LinearInvertedPendulum::orbit_inset(double width, double period) const {
+  return width / (1.0 + std::exp(period / Tc_));
+}
+
+double LinearInvertedPendulum::orbit_offset(double drift, double period) const {
+  return drift / std::expm1(period / Tc_);
+}
+
+double LinearInvertedPendulum::orbit_velocity(double drift, double period) const {
+  return drift / (2.0 * Tc_ * std::sinh(0.5 * period / Tc_));
 }
 
 double LinearInvertedPendulum::first_double_support(double period, double T_ss) const {

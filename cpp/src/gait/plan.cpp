@@ -9,7 +9,7 @@
 namespace zmpwalk {
 
 WalkPlan plan_walk(const WalkSettings& given, const VelocityProfile& profile, const LinearInvertedPendulum& pendulum,
-                   const std::array<ZmpBounds, 2>& bounds, double half_sole_width, const GaitInput& start,
+                   const std::array<ZmpBounds, 2>& bounds, const SoleSize& sole, const GaitInput& start,
                    double duration) {
   require_positive("duration", duration);
   const double dt = given.control_dt;
@@ -22,7 +22,7 @@ WalkPlan plan_walk(const WalkSettings& given, const VelocityProfile& profile, co
   plan.support.reserve(count);
   WalkSettings settings = given;
   settings.lateral_feedback = true;
-  GaitGenerator gait(settings, profile, half_sole_width);
+  GaitGenerator gait(settings, profile, sole);
   VelocityTracker tracker(TrackerLaw::kSmooth, settings.tracker_gain, settings.tracker_time, settings.tracker_deadband);
   GaitInput in = start;
   gait.reset(in, pendulum);
@@ -39,28 +39,29 @@ WalkPlan plan_walk(const WalkSettings& given, const VelocityProfile& profile, co
     }
     swinging = single;
 
-    const Mat2 R = rotation_z(now.heading).topLeftCorner<2, 2>();
-    const Vec2 x = R.transpose() * (in.com - now.origin), v = R.transpose() * in.dcom;
-    const double v_plan = profile.velocity(in.t).x();
+    const Mat2 R = rotation_z(now.yaw).topLeftCorner<2, 2>();
     ZmpBounds room = bounds[now.support];
     if (!single) {
       const Side there = other(now.support);
       const double across = (R.transpose() * (in.p_sole[there].head<2>() - now.origin)).y();
       room = room.widened(bounds[there], across);
     }
-    const double sagittal_zmp = pendulum.reference_for(x.x(), tracker.acceleration(v_plan, v.x()));
-    const Vec2 zmp = room.clamp(Vec2(sagittal_zmp, now.zmp_lateral));
+    const Vec2 wanted = reference_zmp(now, pendulum, tracker, in.com, in.dcom);
+    const Vec2 zmp = now.origin + R * room.clamp(R.transpose() * (wanted - now.origin));
 
     plan.t.push_back(in.t);
     plan.com.push_back(in.com);
     plan.dcom.push_back(in.dcom);
-    plan.zmp.push_back(now.origin + R * zmp);
+    plan.zmp.push_back(zmp);
     plan.support.push_back(static_cast<int>(side_sign(now.support)));
-    const PendulumState sagittal = pendulum.step(dt, {x.x(), v.x()}, zmp.x()),
-                        lateral = pendulum.step(dt, {x.y(), v.y()}, zmp.y());
-    tracker.advance(sagittal.v, v_plan, dt);
-    in.com = now.origin + R * Vec2(sagittal.x, lateral.x);
-    in.dcom = R * Vec2(sagittal.v, lateral.v);
+    const PendulumState x = pendulum.step(dt, {in.com.x(), in.dcom.x()}, zmp.x()),
+                        y = pendulum.step(dt, {in.com.y(), in.dcom.y()}, zmp.y());
+    in.com << x.x, y.x;
+    in.dcom << x.v, y.v;
+    if (now.at_rest)
+      tracker.reset();
+    else
+      tracker.advance(in.dcom.dot(ahead_of(now.heading)), now.v_plan.x(), dt);
   }
   if (!plan.steps.empty() && plan.steps.back().touch_down > duration) plan.steps.pop_back();
   return plan;

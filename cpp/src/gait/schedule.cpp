@@ -1,34 +1,58 @@
 #include "zmpwalk/gait/schedule.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "zmpwalk/math/error.hpp"
 
 namespace zmpwalk {
+namespace {
 
-Schedule::Schedule(double T_ds_first, double T_ds, double T_ss) : T_ds_first_(T_ds_first), T_ds_(T_ds), T_ss_(T_ss) {
+constexpr double kTick = 1e-9;  // control times are sums of steps: a boundary counts as reached a nanosecond early
+
+}  // namespace
+
+StepTimes Cadence::times(const Vec3& velocity) const {
+  const double v = weight.cwiseProduct(velocity).norm();
+  const double share = v > speed ? std::pow(speed / v, exponent) : 1.0;
+  return {share * slow.T_ds, share * slow.T_ss};
+}
+
+Schedule::Schedule(double T_ds_first, double T_ds, double T_ss)
+    : lift_off_(T_ds_first), T_ds_before_(T_ds_first), times_{T_ds, T_ss} {
   require_positive("T_ds_first", T_ds_first);
   require_positive("T_ds", T_ds);
   require_positive("T_ss", T_ss);
 }
 
+void Schedule::begin(int n, double t, double T_ds_first, const StepTimes& times) {
+  step_ = n;
+  lift_off_ = t + T_ds_first;
+  T_ds_before_ = T_ds_first;
+  times_ = times;
+}
+
+bool Schedule::landed(double t) const { return t + kTick >= touch_down(); }
+
+void Schedule::next(const StepTimes& times) {
+  ++step_;
+  T_ds_before_ = times_.T_ds;
+  lift_off_ += times_.T_ss + times_.T_ds;
+  times_ = times;
+}
+
 GaitPhase Schedule::at(double t) const {
-  constexpr double kTick = 1e-9;  // control times are sums of steps: a boundary counts as reached a nanosecond early
   GaitPhase out;
-  const int landed = static_cast<int>(std::floor((t - T_ds_first_ - T_ss_ + kTick) / period())) + 1;
-  out.step = std::max(landed, 0);
-  const double lift = lift_off(out.step);
-  if (t + kTick >= lift) {
+  out.step = step_;
+  if (t + kTick >= lift_off_) {
     out.phase = Phase::kSingleSupport;
-    out.time = t - lift;
-    out.duration = T_ss_;
+    out.time = t - lift_off_;
+    out.duration = times_.T_ss;
   } else {
-    out.duration = out.step == 0 ? T_ds_first_ : T_ds_;
-    out.time = t - (lift - out.duration);
+    out.duration = T_ds_before_;
+    out.time = t - (lift_off_ - T_ds_before_);
   }
-  out.to_mid_single = lift + 0.5 * T_ss_ - t;
-  out.to_mid_double = lift + T_ss_ + 0.5 * T_ds_ - t;
+  out.to_mid_single = lift_off_ + 0.5 * times_.T_ss - t;
+  out.to_mid_double = lift_off_ + times_.T_ss + 0.5 * times_.T_ds - t;
   return out;
 }
 

@@ -94,6 +94,10 @@ Robot::Robot(const mjModel* m, const RobotDescription& description)
     const Vec2 hip = anchor(pitch_joint(side, 0, 3)), knee = anchor(leg_joints_[side][3]),
                foot = anchor(pitch_joint(side, 4, 6));
     leg_[side] = {(knee - hip).norm(), (foot - knee).norm(), foot - hip, leg_joints_[side][3]};
+    const int yaw = joint_about(2, side, 0, 3), id = m->dof_jntid[dof0_ + 6 + yaw];
+    if (m->jnt_limited[id])
+      hip_turn_ =
+          std::min({hip_turn_, stand_[yaw] - m->jnt_range[2 * id], m->jnt_range[2 * id + 1] - stand_[yaw]});
   }
   check_stand(m);
 }
@@ -121,10 +125,10 @@ void Robot::check_stand(const mjModel* m) const {
   require_coupled_stand(m, {root_body_, {}}, data_.get());
 }
 
-int Robot::pitch_joint(Side side, int first, int last) const {
+int Robot::joint_about(int axis, Side side, int first, int last) const {
   const SoleState& sole = dynamics_.sole[side];
   const auto share = [&](int i) {
-    return std::abs(sole.J.col(6 + leg_joints_[side][i]).tail<3>().dot(sole.R_WF.col(1)));
+    return std::abs(sole.J.col(6 + leg_joints_[side][i]).tail<3>().dot(sole.R_WF.col(axis)));
   };
   int best = first;
   for (int i = first + 1; i < last; ++i)

@@ -14,31 +14,58 @@ struct Foothold {
   double yaw = 0.0;
 };
 
-/// Where the swing foot goes.
+/// Unit vectors of a heading `yaw` [rad].
+Vec2 ahead_of(double yaw);
+Vec2 left_of(double yaw);
+
+/// Size of a sole [m].
+struct SoleSize {
+  double length = 0.0, width = 0.0;
+};
+
+/// Where the swing foot goes: one plan for COM and feet.
 ///
-/// Lengths are leads over the stance foot: a list of the user's or the paper's, or from the profile (planned displacement over
-/// the coming period). Anchors are the measured stance foot ("paper", "printed", "list"), the plan itself ("absolute"), or the
-/// COM ("tied"): x_T = x + planned displacement until the middle of the next double support + T_c (v - v_plan) + L/2 - com_lead, clamped about
-/// the nominal foothold and low-passed, until `foothold_freeze` of the single support.
+/// A path runs from the start with the planned velocity; a foot lands half its stance's travel ahead, half a width beside it, along
+/// the path's heading there. Lengths are leads over the stance foot: a list of the user's or the paper's, or from the profile.
+/// Along the heading, the anchor is the measured stance foot ("paper", "printed", "list"), the plan itself ("absolute"), or the
+/// COM ("tied"): x_T = x + planned travel until the middle of the next double support + T_c (v - v_plan) + L/2 - com_lead, clamped about
+/// the nominal foothold and low-passed, until `foothold_freeze` of the single support. Sideways it is the path, and what the DCM
+/// will be off its orbit. Feet never come closer than the soles' corners and `foot_clearance` allow.
 class FootstepPlanner {
  public:
-  /// @param settings resolved   @param profile must outlive the planner
-  FootstepPlanner(const WalkSettings& settings, const VelocityProfile& profile);
+  /// @param settings resolved   @param plan must outlive the planner   @param sole the larger of both
+  FootstepPlanner(const WalkSettings& settings, const VelocityProfile& plan, const SoleSize& sole);
 
   /// @param feet  sole centres at the start, left and right; @param heading of the start [rad]
   void reset(const std::array<Foothold, 2>& feet, double heading);
+  /// A walk begins again between `feet`, along the heading that the path has.
+  void restart(const std::array<Foothold, 2>& feet);
+  /// Moves the path on to time `t` [s]; where footholds are tied to the COM, the path goes along with `com` (2,) [m].
+  void advance(double t, const Vec2& com);
 
-  /// Lead of step `n` over the stance foot [m], for a walk whose next double support is centred at `t_mid` [s].
+  double heading() const { return path_.yaw; }  ///< of the path [rad]
+
+  /// Lead of step `n` over the stance foot [m], where the double support after it is centred at `t_mid` [s].
   double lead(int n, double t_mid, double period) const;
+  /// Where the plan has foot `swing` after a double support centred at `t_mid` [s].
+  Foothold planned(Side swing, double t_mid, double period) const;
+  /// Lateral displacement of the path in the period after `t_mid` [m].
+  double drift(double t_mid, double period) const { return plan_->displacement(t_mid, t_mid + period).y(); }
+  /// Lateral distance of feet in an orbit that drifts by `drift` a step [m]: the narrower step has step_width.
+  double width(double drift) const { return settings_.step_width + std::abs(drift); }
 
   /// Nominal foothold of step n, taken when the foot lifts. @param stance measured stance foot
   Foothold begin_step(int n, Side swing, const Foothold& stance, double t_mid, double period);
+  /// The last step before a stand: beside the stance foot, where that is near enough to where the COM, moving with `dcom`, comes
+  /// to rest. Returns whether it is.
+  bool close(Side swing, const Foothold& stance, const Vec2& dcom, double Tc);
 
   /// Foothold for this cycle, tied to the COM where that is the setting.
   ///
-  /// @param com, dcom  COM in the horizontal plane, W   @param t time [s]   @param share of the single support that has gone by
-  const Foothold& update(const Vec2& com, const Vec2& dcom, double t, double t_mid, double period, double Tc,
-                         double share, double dt);
+  /// @param dcom   velocity of the COM, W (2,) [m/s]   @param aside  what the DCM will miss, along the left [m]
+  /// @param t_mid  middle of the next double support [s]   @param share of the single support that has gone by
+  const Foothold& update(const Vec2& dcom, double aside, double t_mid, double period, double Tc, double share,
+                         double dt);
 
   const Foothold& target() const { return target_; }
 
@@ -46,12 +73,18 @@ class FootstepPlanner {
   double mismatch(int steps, double period) const;
 
  private:
+  /// Moves `place` away from `stance` until the soles keep clear of each other.
+  Foothold clear(Foothold place, Side swing, const Foothold& stance) const;
+
   WalkSettings settings_;
-  const VelocityProfile* profile_;
-  double heading_ = 0.0;
-  Vec2 origin_ = Vec2::Zero();       // middle of the feet at the start
+  const VelocityProfile* plan_;
+  SoleSize sole_;
+  double t_ = 0.0;
+  Foothold path_;                    // middle of the walk now
   std::array<Foothold, 2> planned_;  // where the plan has the feet, for "absolute"
-  Foothold nominal_, target_;
+  Foothold nominal_, target_, stance_;
+  Side swing_ = kLeft;
+  bool closing_ = false;
 };
 
 }  // namespace zmpwalk

@@ -6,6 +6,7 @@
 #include "zmpwalk/gait/schedule.hpp"
 #include "zmpwalk/gait/swing_foot.hpp"
 #include "zmpwalk/gait/velocity_profile.hpp"
+#include "zmpwalk/gait/velocity_tracker.hpp"
 #include "zmpwalk/settings.hpp"
 
 namespace zmpwalk {
@@ -23,42 +24,73 @@ struct GaitInput {
 /// What the gait asks for in one cycle.
 struct GaitOutput {
   GaitPhase phase;
+  bool at_rest = false;  ///< stands, and is not asked to walk
   Side support = kLeft;  ///< foot that carries the ZMP
   Side swing = kRight;   ///< foot of this step that swings, or will
   std::array<bool, 2> standing{true, true};
-  Vec2 origin = Vec2::Zero();  ///< of the support frame S: support sole's centre, W [m]
-  double heading = 0.0;        ///< of S: its x axis in W [rad]
-  double zmp_lateral = 0.0;    ///< reference ZMP along S's y [m]
-  double w_T = kNaN;           ///< Eq. 18 in double support before the switch [m/s], else NaN
-  Foothold foothold;           ///< of the swing foot; NaN in double support
-  SwingTarget swing_target;    ///< meaningful in single support
+  Vec2 origin = Vec2::Zero();    ///< of the support frame S: support sole's centre, W [m]
+  double yaw = 0.0;              ///< of S: the support sole's heading in W [rad]
+  double heading = 0.0;          ///< of the walk, H: that of the path in W [rad]
+  Vec3 v_plan = Vec3::Zero();    ///< planned velocity (v_x, v_y, w_z) in H
+  double zmp_lateral = 0.0;      ///< reference ZMP about `origin` along H's y [m]
+  Vec2 zmp_rest = Vec2::Zero();  ///< at rest: reference ZMP, W [m]
+  double w_T = kNaN;             ///< Eq. 18 in double support before the switch [m/s], else NaN
+  Foothold foothold;             ///< of the swing foot; NaN in double support
+  SwingTarget swing_target;      ///< meaningful in single support
 };
 
+/// Reference ZMP of the smooth law for the COM state `com`, `dcom`, W (2,) [m]: along H's x what `tracker` asks of the pendulum, along
+/// its y what the lateral motion asks; at rest, what keeps the COM in the middle.
+Vec2 reference_zmp(const GaitOutput& gait, const LinearInvertedPendulum& pendulum, const VelocityTracker& tracker,
+                   const Vec2& com, const Vec2& dcom);
+
 /// The gait: phases, support switch, footholds and swing foot, from time and the COM. Knows no torque and no simulator.
+///
+/// It walks while the plan moves and stands, feet side by side, while it does not.
 class GaitGenerator {
  public:
-  /// @param settings resolved   @param profile must outlive the generator   @param half_sole_width [m]
-  GaitGenerator(const WalkSettings& settings, const VelocityProfile& profile, double half_sole_width);
+  /// @param settings resolved   @param profile planned velocity; what changes too fast is limited   @param sole the larger of both
+  GaitGenerator(const WalkSettings& settings, const VelocityProfile& profile, const SoleSize& sole);
+  GaitGenerator(const GaitGenerator&) = delete;
+  GaitGenerator& operator=(const GaitGenerator&) = delete;
 
   /// Starts a walk from two standing feet. @param pendulum of this robot
   void reset(const GaitInput& start, const LinearInvertedPendulum& pendulum);
+  /// From the next cycle on towards `velocity` (v_x, v_y, w_z), whatever the profile says. Allocates nothing.
+  void command(const Vec3& velocity);
   /// One cycle. Allocates nothing.
   const GaitOutput& update(const GaitInput& in);
   /// The same without the swing foot's path, for a plan: `swing_target` keeps what it was. Allocates nothing.
   const GaitOutput& update_steps(const GaitInput& in);
 
+  const VelocityProfile& plan() const { return plan_; }
   const Schedule& schedule() const { return schedule_; }
   const FootstepPlanner& footsteps() const { return footsteps_; }
+  const Cadence& cadence() const { return cadence_; }
 
  private:
+  StepTimes times_at(double t) const;  // of a step that begins at t
+  void take_command(double t);
+  bool begin_phase(const GaitInput& in);  // whether a double support began
+  void begin_walk(const GaitInput& in);
+  void move_sideways(const GaitInput& in);
+
   WalkSettings settings_;
+  Cadence cadence_;
+  VelocityLimits limits_;
+  VelocityProfile profile_, plan_;
   Schedule schedule_;
   FootstepPlanner footsteps_;
   LateralMotion lateral_;
   SwingFoot swing_foot_;
   LinearInvertedPendulum pendulum_;
   GaitOutput out_;
-  bool changed_ = false;  // a phase began with this cycle
+  bool lifted_ = false;     // a single support began with this cycle
+  bool closing_ = false;    // this step ends beside the stance foot
+  double period_ = 0.0;     // of the step after this [s]
+  Vec3 command_, allowance_;
+  bool commanded_ = false;
+  double t_command_ = 0.0;
 };
 
 }  // namespace zmpwalk

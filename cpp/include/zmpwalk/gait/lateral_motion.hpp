@@ -24,20 +24,23 @@ class LateralMotion {
   /// @param now        lateral COM state about the support's sole centre [m, m/s]   @param r  reference ZMP there [m]
   /// @param other_foot sole centre of the foot to come, seen from the support's [m]
   /// @param T          from now to the middle of the next single support [s]        @param dt control period [s]
+  /// @param w_orbit    velocity that the orbit has there [m/s]; 0 in the paper, whose orbit does not drift
   /// @param last       the double support ends with this cycle: switch whatever (18) says
   /// @return           w(T), eq. 18, for a switch in the next cycle [m/s]
   double check_switch(const LinearInvertedPendulum& pendulum, const PendulumState& now, double r, double other_foot,
-                      double T, double dt, bool last);
+                      double T, double w_orbit, double dt, bool last);
 
   /// Takes a switch that was decided in the previous cycle; call first in each cycle.
   void begin_cycle(bool double_support_began);
 
   /// Reference ZMP about the support's sole centre [m].
   ///
-  /// @param state  lateral COM state about the support's sole centre   @param width  lateral distance to the other foot [m], > 0
-  /// @param time   until the middle of the next double support [s]     @param period  of a step [s]
-  double reference(const LinearInvertedPendulum& pendulum, const PendulumState& state, double width, double time,
-                   double period) const;
+  /// @param xi, xi_end  lateral DCM now, and the orbit's in the middle of the next double support, `time` [s] away; about the
+  ///                    support's sole centre [m]
+  double reference(const LinearInvertedPendulum& pendulum, double xi, double xi_end, double time) const;
+
+  /// By how much the DCM will miss `xi_end`, because the reference is held within its reach [m].
+  double miss(const LinearInvertedPendulum& pendulum, double xi, double xi_end, double time) const;
 
   Side support() const { return support_; }
   /// True in double support until the switch.

@@ -34,9 +34,13 @@ class LinearInvertedPendulum {
   /// The constant reference ZMP that brings the DCM from `xi` to `xi_end` in `time` [s] > 0.
   double reference_to_reach(double xi, double xi_end, double time) const;
 
-  /// DCM of the symmetric lateral orbit half way between two feet `width` apart, seen from the foot that is left behind [m],
-  /// for steps of `period` [s]: (width/2)(1 + tanh(period / 2 T_c)).
-  double orbit_dcm(double width, double period) const;
+  // The lateral orbit over feet that alternate, `width` apart, while their middle moves on by `drift` each step of `period` [s].
+  /// Half way between the feet its DCM lies `orbit_inset` inside the foot to come: width / (1 + exp(period / T_c)) [m],
+  double orbit_inset(double width, double period) const;
+  /// and `orbit_offset` further along the drift: drift / (exp(period / T_c) - 1) [m].
+  double orbit_offset(double drift, double period) const;
+  /// Its velocity in the middle of a single support, drift / (2 T_c sinh(period / 2 T_c)) [m/s]: zero where nothing drifts.
+  double orbit_velocity(double drift, double period) const;
 
   /// Length of the first double support from which the symmetric orbit starts at rest half way between the feet [s].
   ///

@@ -28,7 +28,7 @@ struct WalkPlan {
 /// @param settings resolved   @param bounds of each sole, in its axes   @param start two standing feet
 /// @throws InputError  duration not finite and > 0
 WalkPlan plan_walk(const WalkSettings& settings, const VelocityProfile& profile, const LinearInvertedPendulum& pendulum,
-                   const std::array<ZmpBounds, 2>& bounds, double half_sole_width, const GaitInput& start,
+                   const std::array<ZmpBounds, 2>& bounds, const SoleSize& sole, const GaitInput& start,
                    double duration);
 
 }  // namespace zmpwalk

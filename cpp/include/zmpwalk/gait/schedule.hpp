@@ -1,5 +1,7 @@
 #pragma once
 
+#include "zmpwalk/math/types.hpp"
+
 namespace zmpwalk {
 
 enum class Phase : int { kDoubleSupport = 0, kSingleSupport = 1 };
@@ -15,21 +17,44 @@ struct GaitPhase {
       0.0;  ///< until the middle of the next double support [s]; in double support, of the one after this
 };
 
-/// Times of a walk: first double support, then single and double support in turn. A pure function of time.
+/// Durations of a single support and of the double support after it [s].
+struct StepTimes {
+  double T_ds = 0.0, T_ss = 0.0;
+  double period() const { return T_ds + T_ss; }
+};
+
+/// How long steps take: `slow` up to a speed, then shorter as (speed / v)^exponent, so that steps first grow longer, then come faster.
+struct Cadence {
+  StepTimes slow;
+  double speed = 0.0;       ///< up to which steps are slow [m/s]
+  double exponent = 0.0;    ///< 0: steps never come faster
+  Vec3 weight{1.0, 1.0, 0};  ///< what (v_x, v_y, w_z) count as, in v = |weight * velocity| [1, 1, m/rad]
+
+  StepTimes times(const Vec3& velocity) const;
+};
+
+/// Times of a walk, step by step: a double support, a single support and the double support after it.
 class Schedule {
  public:
   /// @throws InputError a duration that is not finite and > 0
   Schedule(double T_ds_first, double T_ds, double T_ss);
 
-  GaitPhase at(double t) const;  ///< t [s] since the walk began
-  double period() const { return T_ds_ + T_ss_; }
-  double T_ds() const { return T_ds_; }
-  double T_ss() const { return T_ss_; }
-  /// When the single support of step `n` begins [s].
-  double lift_off(int n) const { return T_ds_first_ + n * period(); }
+  /// Step `n` begins at `t` with a double support of `T_ds_first` [s].
+  void begin(int n, double t, double T_ds_first, const StepTimes& times);
+  /// The swing foot of this step has landed by `t` [s].
+  bool landed(double t) const;
+  /// The step after this, whose double support has begun.
+  void next(const StepTimes& times);
+
+  GaitPhase at(double t) const;  ///< t [s] since the walk began; within this step
+  const StepTimes& times() const { return times_; }
+  double lift_off() const { return lift_off_; }                   ///< of this step [s]
+  double touch_down() const { return lift_off_ + times_.T_ss; }  ///< of this step [s]
 
  private:
-  double T_ds_first_, T_ds_, T_ss_;
+  int step_ = 0;
+  double lift_off_, T_ds_before_;
+  StepTimes times_;
 };
 
 }  // namespace zmpwalk

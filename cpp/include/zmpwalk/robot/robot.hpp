@@ -88,13 +88,18 @@ class Robot {
   Vec3 sole_centre(Side side, const mjData* d) const;
   /// Distance of the joint that is nearest to one of its limits in `d` [rad or m]; infinity without limits.
   double joint_margin(const mjData* d) const;
+  /// How far both hips can turn about the vertical from the start pose, either way: least distance to their limits [rad].
+  double hip_turn() const { return hip_turn_; }
   /// Of the leg joints [first, last), the one whose axis lies closest to the sole's y at the start pose (joint index).
-  int pitch_joint(Side side, int first, int last) const;
+  int pitch_joint(Side side, int first, int last) const { return joint_about(1, side, first, last); }
 
   /// Speed below which dry friction is taken as proportional to speed [rad/s].
   double friction_velocity = 0.02;
 
  private:
+  /// Of the leg joints [first, last), the one whose axis lies closest to the sole's axis `axis` at the start pose.
+  int joint_about(int axis, Side side, int first, int last) const;
+
   struct SoleFrame {
     int body;
     Vec3 p_BF;  // in the foot body
@@ -120,6 +125,7 @@ class Robot {
   std::array<std::vector<int>, 2> leg_joints_;
   std::array<Vec3, 2> ankle_F_;
   std::array<RobotLeg, 2> leg_;
+  double hip_turn_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace zmpwalk
