@@ -75,6 +75,7 @@ WalkSettings::WalkSettings(const std::string& preset) : law(preset) {
   footsteps = Footsteps::kPaper;
   step_lengths = paper_step_lengths();
   cadence_exponent = 0.0;
+  crouch_limit = 0.0;
   stand = false;
   rate_limit = false;
   // (8) alone lags by one cycle of k_d, so it needs stiffer gains than a law with feed-forward.
@@ -120,6 +121,8 @@ WalkSettings resolve(const WalkSettings& settings, const RobotScale& robot, doub
   fill(s.forward_deceleration, 0.046 * robot.gravity);
   fill(s.sideways_acceleration, 0.025 * robot.gravity);
   fill(s.turning_acceleration, 0.08 / (Tc * Tc));
+  fill(s.crouch_limit, 0.1 * robot.com_height);
+  fill(s.crouch_time, 0.5 * Tc);
   fill(s.foot_clearance, 0.03 * robot.com_height);
   fill(s.tracker_gain, 1.38 / Tc);
   fill(s.tracker_time, 0.18 * Tc);
@@ -167,6 +170,7 @@ WalkSettings resolve(const WalkSettings& settings, const RobotScale& robot, doub
                                     {"step_height", s.step_height},
                                     {"foothold_time", s.foothold_time},
                                     {"cadence_speed", s.cadence_speed},
+                                    {"crouch_time", s.crouch_time},
                                     {"forward_acceleration", s.forward_acceleration},
                                     {"forward_deceleration", s.forward_deceleration},
                                     {"sideways_acceleration", s.sideways_acceleration},

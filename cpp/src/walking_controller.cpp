@@ -11,9 +11,6 @@
 namespace zmpwalk {
 namespace {
 
-/// Knee angle that the plan keeps: room for what it does not know, as swing leg and pelvis move the hips against the COM [rad].
-constexpr double kLeastKnee = 0.3;
-
 double stand_height(const Dynamics& dyn) {
   return dyn.com.z() - 0.5 * (dyn.sole[kLeft].p_WF.z() + dyn.sole[kRight].p_WF.z());
 }
@@ -103,7 +100,6 @@ WalkingController::WalkingController(const mjModel* model, const RobotDescriptio
                    settings_.singular_damping, settings_.singular_pivot, settings_.kernel}),
       estimator_(robot_.nv()),
       bounds_{bounds_of(robot_, kLeft, settings_), bounds_of(robot_, kRight, settings_)},
-      reach_(reach(kLeastKnee)),
       hip_turn_(robot_.hip_turn()),
       R_HB_(Mat3::Identity()),
       kp_(settings_.com_x_kp, settings_.com_y_kp),
@@ -120,10 +116,7 @@ WalkingController::WalkingController(const mjModel* model, const RobotDescriptio
   f_star_.posture = VecX::Zero(robot_.joints());
   out_.tau = VecX::Zero(robot_.joints());
   for (auto& pose : out_.foot) pose.setZero();
-  const double dt = settings_.control_dt, Tc = pendulum_.Tc();
-  for (int i = 0; i < 2; ++i)
-    df_dr_[i] = (settings_.feed_forward ? -1.0 / (Tc * Tc) : 0.0) -
-                pd_acceleration(kp_[i], kd_[i], std::cosh(dt / Tc) - 1.0, std::sinh(dt / Tc) / Tc);
+  set_height(0.0);
   const Dynamics& dyn = robot_.dynamics();
   ground_ = dyn.com.z() - com_height_;
   start_ = gait_input(0.0, dyn.com.head<2>(), dyn.dcom.head<2>());
@@ -142,23 +135,61 @@ WalkPlan WalkingController::plan(double duration, double dt) const {
   return plan_walk(settings, profile_, pendulum_, bounds_, sole_, start_, duration);
 }
 
-double WalkingController::reach(double least_knee) const {
+double WalkingController::reach(double crouch) const {
   double least = std::numeric_limits<double>::infinity();
   for (const Side side : kSides) {
     const RobotLeg leg = robot_.leg_at_stand(side);
-    const double length =
-        std::sqrt(leg.thigh * leg.thigh + leg.shank * leg.shank + 2.0 * leg.thigh * leg.shank * std::cos(least_knee));
-    const Vec2 d = leg.hip_to_ankle;
-    least = std::min(least, std::sqrt(std::max(length * length - d.y() * d.y(), 0.0)) - std::abs(d.x()));
+    const double length_2 = leg.thigh * leg.thigh + leg.shank * leg.shank +
+                            2.0 * leg.thigh * leg.shank * std::cos(settings_.least_knee);
+    const double height = std::abs(leg.hip_to_ankle.y()) - crouch;
+    least = std::min(least, std::sqrt(std::max(length_2 - height * height, 0.0)) - std::abs(leg.hip_to_ankle.x()));
   }
   return std::max(least, 0.0);
 }
 
+double WalkingController::stride(const Vec3& velocity) const {
+  const StepTimes times = gait_.cadence().times(velocity);
+  const double along = 0.5 * (times.period() + times.T_ds) * velocity.x(), aside = times.period() * velocity.y();
+  return std::hypot(along, aside);
+}
+
 double WalkingController::reach_share(const Vec3& velocity) const {
   const StepTimes times = gait_.cadence().times(velocity);
-  const double T = times.period(), half = 0.5 * (T + times.T_ds);
-  const double along = half * velocity.x(), aside = T * velocity.y(), turn = half * velocity.z();
-  return std::max(std::hypot(along, aside) / reach_, std::abs(turn) / hip_turn_);
+  const double turn = 0.5 * (times.period() + times.T_ds) * velocity.z();
+  return std::max(stride(velocity) / reach(settings_.crouch_limit), std::abs(turn) / hip_turn_);
+}
+
+double WalkingController::crouch_for(const Vec3& velocity) const {
+  const double wanted = settings_.crouch_margin * stride(velocity);
+  if (wanted <= reach(0.0)) return 0.0;
+  double less = 0.0, enough = settings_.crouch_limit;
+  for (int i = 0; i < 12; ++i) {
+    const double middle = 0.5 * (less + enough);
+    (reach(middle) >= wanted ? enough : less) = middle;
+  }
+  return enough;
+}
+
+void WalkingController::set_height(double crouch) {
+  pendulum_ = LinearInvertedPendulum(com_height_ - crouch, robot_.dynamics().gravity.norm());
+  const double dt = settings_.control_dt, Tc = pendulum_.Tc();
+  for (int i = 0; i < 2; ++i)
+    df_dr_[i] = (settings_.feed_forward ? -1.0 / (Tc * Tc) : 0.0) -
+                pd_acceleration(kp_[i], kd_[i], std::cosh(dt / Tc) - 1.0, std::sinh(dt / Tc) / Tc);
+}
+
+void WalkingController::move_height(double t) {
+  // Ahead of the speed by a step, critically damped.
+  const VelocityProfile& plan = gait_.plan();
+  const double ahead = gait_.cadence().slow.period(), rate = 1.0 / settings_.crouch_time, dt = settings_.control_dt;
+  const double wanted = std::max(crouch_for(plan.velocity(t)), crouch_for(plan.velocity(t + ahead)));
+  if (wanted == 0.0 && crouch_ == 0.0) return;
+  ddcrouch_ = rate * (rate * (wanted - crouch_) - 2.0 * dcrouch_);
+  crouch_ += dcrouch_ * dt;
+  dcrouch_ += ddcrouch_ * dt;
+  if (wanted == 0.0 && std::abs(crouch_) < 1e-6 && std::abs(dcrouch_) < 1e-6) crouch_ = dcrouch_ = ddcrouch_ = 0.0;
+  set_height(crouch_);
+  gait_.set_pendulum(pendulum_);
 }
 
 Vec3 WalkingController::within_reach(const Vec3& velocity) const {
@@ -189,7 +220,7 @@ void WalkingController::check_profile() const {
                        std::to_string(gait_.cadence().times(v).period()) + " s, and " + std::to_string(speed_limit()) +
                        " m/s straight ahead");
   // From a stand, the COM may not run away from the first stance foot before the second stands.
-  const double room = reach_;
+  const double room = reach(0.0);
   if (start_excursion(1.0) <= room) return;
   if (start_excursion(0.0) > room)
     throw InputError("the COM would run " + std::to_string(start_excursion(0.0)) +
@@ -245,7 +276,8 @@ void WalkingController::reset(const mjData* data) {
   tick_ = 0;
   ground_ = dyn.com.z() - stand_height(dyn);
   com_height_ = stand_height(dyn);
-  pendulum_ = LinearInvertedPendulum(com_height_, dyn.gravity.norm());
+  crouch_ = dcrouch_ = ddcrouch_ = 0.0;
+  set_height(0.0);
   com_des_ = dyn.com.head<2>();
   dcom_des_ = dyn.dcom.head<2>();
   start_ = gait_input(0.0, com_des_, dcom_des_);
@@ -286,6 +318,7 @@ const CycleOutput& WalkingController::update(mjData* data, Terms terms) {
   const GaitInput in =
       gait_input(t, measured ? Vec2(dyn.com.head<2>()) : com_des_, measured ? Vec2(dyn.dcom.head<2>()) : dcom_des_);
   if (mailbox_.take(out_.command)) gait_.command(out_.command);
+  move_height(t);
   const GaitOutput& gait = gait_.update(in);
   R_S_ = rotation_z(gait.yaw).topLeftCorner<2, 2>();
   R_H_ = rotation_z(gait.heading).topLeftCorner<2, 2>();
@@ -330,7 +363,9 @@ const CycleOutput& WalkingController::update(mjData* data, Terms terms) {
 void WalkingController::task_accelerations(const GaitOutput& gait) {
   const Dynamics& dyn = robot_.dynamics();
   const WalkSettings& s = settings_;
-  f_star_.com.z() = pd_acceleration(s.com_z_kp, s.com_z_kd, ground_ + com_height_ - dyn.com.z(), -dyn.dcom.z());
+  f_star_.com.z() = pd_acceleration(s.com_z_kp, s.com_z_kd, ground_ + com_height_ - crouch_ - dyn.com.z(),
+                                    -dcrouch_ - dyn.dcom.z()) -
+                    ddcrouch_;
   const Mat3 R_des = rotation_z(gait.heading) * R_HB_;
   const Vec3 turning(0.0, 0.0, gait.v_plan.z());
   f_star_.trunk =
@@ -444,8 +479,8 @@ void WalkingController::choose_reference(const GaitOutput& gait) {
   out_.zmp_upper = to_W(bounds.upper);
   com_des_ = to_W(c.x_d);
   dcom_des_ = R_S_ * c.v_d;
-  out_.com_des << com_des_, ground_ + com_height_;
-  out_.dcom_des << dcom_des_, 0.0;
+  out_.com_des << com_des_, ground_ + com_height_ - crouch_;
+  out_.dcom_des << dcom_des_, -dcrouch_;
   out_.v_des << R_H_.transpose() * dcom_des_, gait.v_plan.z();
   if (gait.at_rest)
     tracker_.reset();

@@ -43,6 +43,7 @@ struct WalkSettings {
   double sole_fraction = 0.72, ankle_torque_fraction = 0.9;
   bool bound_lateral = true;
   // COM
+  double least_knee = 0.3, crouch_limit = kNaN, crouch_margin = 1.2, crouch_time = kNaN;
   ComState com_state = ComState::kMeasured;
   bool feed_forward = true;
   double com_x_kp = kNaN, com_x_kd = kNaN, com_y_kp = kNaN, com_y_kd = kNaN, com_z_kp = kNaN, com_z_kd = kNaN;
@@ -110,6 +111,13 @@ void visit_settings(Settings& s, Visitor&& v) {
   v("sole_fraction", s.sole_fraction, "", "share of the sole that the ZMP may use");
   v("ankle_torque_fraction", s.ankle_torque_fraction, "", "share of the ankle's torque limit that may hold the ZMP");
   v("bound_lateral", s.bound_lateral, "", "bound the lateral ZMP too; the paper bounds the sagittal one only");
+  v("least_knee", s.least_knee, "rad",
+    "knee angle that the plan keeps: room for what it does not know, as swing leg and pelvis move the hips against the "
+    "COM");
+  v("crouch_limit", s.crouch_limit, "m", "how far the COM may come down for long steps; NaN: 0.1 of its height");
+  v("crouch_margin", s.crouch_margin, "",
+    "the COM comes down until the legs reach this many times as far as the feet are from the hips in double support");
+  v("crouch_time", s.crouch_time, "s", "time constant of that; NaN: 0.5 T_c");
   v("com_state", s.com_state, "", "'current' COM state in (16), (17): 'measured' or 'desired' (the previous one)");
   v("feed_forward", s.feed_forward, "", "add the pendulum's acceleration to (8)");
   v("com_x_kp", s.com_x_kp, "1/s^2", "COM, forward; NaN: scaled with 1/T_c^2");

@@ -109,7 +109,7 @@ class WalkingController {
   /// Share of the legs' reach that walking with `velocity` takes: beside 1 the knee is nearly straight, or the hip turned to its end.
   ///
   /// In double support an ankle is v_x (T + T_ds)/2 ahead of or behind its hip, at most |v_y| T beside it, and turned by
-  /// w_z (T + T_ds)/2; T and T_ds are the cadence's for that velocity.
+  /// w_z (T + T_ds)/2; T and T_ds are the cadence's for that velocity. The knees bend up to `crouch_limit` for it.
   double reach_share(const Vec3& velocity) const;
   /// `velocity`, made smaller until its `reach_share` is at most 1.
   Vec3 within_reach(const Vec3& velocity) const;
@@ -134,7 +134,11 @@ class WalkingController {
   void choose_reference(const GaitOutput& gait);
   void clip_torque(const GaitOutput& gait);
   void check_fall(const GaitOutput& gait);
-  double reach(double least_knee) const;  // of the hips over an ankle along x, at the height of the start pose [m]
+  double stride(const Vec3& velocity) const;  // how far along the ground `velocity` takes an ankle from its hip [m]
+  double reach(double crouch) const;          // how far the legs reach that way with the COM lowered by `crouch` [m]
+  double crouch_for(const Vec3& velocity) const;  // how far the COM has to come down for it [m]
+  void set_height(double crouch);                 // the pendulum's, and what follows from it
+  void move_height(double t);
   void check_profile() const;
   double start_excursion(
       double scale) const;  // of the COM from the first stance foot, for the plan times `scale` [m]
@@ -151,7 +155,7 @@ class WalkingController {
   ZmpEstimator estimator_;
   std::array<ZmpBounds, 2> bounds_;
 
-  double reach_, hip_turn_;  // of the legs along the ground [m], of the hips about the vertical [rad]
+  double hip_turn_;  // of the hips about the vertical [rad]
   Mailbox mailbox_;
 
   // State of a walk
@@ -161,6 +165,7 @@ class WalkingController {
   int ticks_per_cycle_ = 1;
   long tick_ = 0;
   double ground_ = 0.0;                                    // height of the soles at the start
+  double crouch_ = 0.0, dcrouch_ = 0.0, ddcrouch_ = 0.0;   // how far the COM is to be under com_height_, and its derivatives
   Mat3 R_HB_;                                              // trunk in the heading frame at the start
   std::array<Vec3, 2> up_;                                 // normals of the soles at the start
   Vec2 com_des_ = Vec2::Zero(), dcom_des_ = Vec2::Zero();  // previous desired state, W

@@ -56,6 +56,8 @@ class GaitGenerator {
 
   /// Starts a walk from two standing feet. @param pendulum of this robot
   void reset(const GaitInput& start, const LinearInvertedPendulum& pendulum);
+  /// The COM has come to another height.
+  void set_pendulum(const LinearInvertedPendulum& pendulum) { pendulum_ = pendulum; }
   /// From the next cycle on towards `velocity` (v_x, v_y, w_z), whatever the profile says. Allocates nothing.
   void command(const Vec3& velocity);
   /// One cycle. Allocates nothing.
