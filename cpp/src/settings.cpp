@@ -76,6 +76,7 @@ WalkSettings::WalkSettings(const std::string& preset) : law(preset) {
   step_lengths = paper_step_lengths();
   cadence_exponent = 0.0;
   crouch_limit = 0.0;
+  smooth_swing = false;
   stand = false;
   rate_limit = false;
   // (8) alone lags by one cycle of k_d, so it needs stiffer gains than a law with feed-forward.

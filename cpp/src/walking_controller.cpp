@@ -419,13 +419,8 @@ void WalkingController::choose_reference(const GaitOutput& gait) {
   Vec2 zmp = estimate_of(c.f);
   Vec2 wanted = zmp;
 
-  // Where the ZMP may go. Sideways, two standing feet hold it anywhere between them.
-  ZmpBounds bounds = bounds_[gait.support];
-  if (gait.standing[kLeft] && gait.standing[kRight]) {
-    const Dynamics& dyn = robot_.dynamics();
-    const double across = (R_S_.transpose() * (dyn.sole[other(gait.support)].p_WF.head<2>() - gait.origin)).y();
-    bounds = bounds.widened(bounds_[other(gait.support)], across);
-  }
+  const auto& [left, right] = robot_.dynamics().sole;
+  const ZmpBounds bounds = zmp_room(gait, bounds_, {left.p_WF, right.p_WF});
   if (settings_.zmp_modification) {
     const Vec2 inside = bounds.clamp(zmp);
     wanted.x() = inside.x();

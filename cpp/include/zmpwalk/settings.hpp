@@ -55,7 +55,7 @@ struct WalkSettings {
   std::vector<double> step_lengths;
   double step_width = kNaN, foot_clearance = kNaN, step_height = kNaN, foothold_reach = kNaN, com_lead = kNaN, foothold_time = kNaN,
          foothold_freeze = 0.7;
-  bool swing_feed_forward = true;
+  bool smooth_swing = true, swing_feed_forward = true;
   double swing_kp = kNaN, swing_kd = kNaN;
   // The other tasks, double support
   double trunk_kp = kNaN, trunk_kd = kNaN, posture_kp = kNaN, posture_kd = kNaN;
@@ -146,6 +146,8 @@ void visit_settings(Settings& s, Visitor&& v) {
     "tied footholds: time constant of the low-pass on the target; NaN: 0.18 T_c");
   v("foothold_freeze", s.foothold_freeze, "",
     "tied footholds: share of the single support after which the target stands");
+  v("smooth_swing", s.smooth_swing, "",
+    "swing foot on quintic splines, which begin and end without acceleration; False: on cubic ones (section IV)");
   v("swing_feed_forward", s.swing_feed_forward, "", "add the spline's acceleration to the swing foot's task");
   v("swing_kp", s.swing_kp, "1/s^2", "swing foot, position and orientation");
   v("swing_kd", s.swing_kd, "1/s", "swing foot, position and orientation");

@@ -1,6 +1,7 @@
 #include "zmpwalk/gait/gait_generator.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "zmpwalk/math/rotation.hpp"
@@ -27,6 +28,13 @@ Vec2 reference_zmp(const GaitOutput& gait, const LinearInvertedPendulum& pendulu
          gait.zmp_lateral * left_of(gait.heading);
 }
 
+ZmpBounds zmp_room(const GaitOutput& gait, const std::array<ZmpBounds, 2>& bounds, const std::array<Vec3, 2>& p_sole) {
+  const ZmpBounds& room = bounds[gait.support];
+  if (!gait.standing[kLeft] || !gait.standing[kRight]) return room;
+  const Side there = other(gait.support);
+  return room.widened(bounds[there], (p_sole[there].head<2>() - gait.origin).dot(left_of(gait.yaw)));
+}
+
 GaitGenerator::GaitGenerator(const WalkSettings& settings, const VelocityProfile& profile, const SoleSize& sole)
     : settings_(settings),
       cadence_{{settings.T_ds, settings.T_ss},
@@ -41,6 +49,7 @@ GaitGenerator::GaitGenerator(const WalkSettings& settings, const VelocityProfile
       schedule_(settings.T_ds_first, settings.T_ds, settings.T_ss),
       footsteps_(settings, plan_, sole),
       lateral_(settings.lateral_feedback, settings.lateral_reach * 0.5 * sole.width),
+      swing_foot_(settings.smooth_swing),
       pendulum_(1.0, 1.0) {
   plan_.reserve();
 }

@@ -40,12 +40,7 @@ WalkPlan plan_walk(const WalkSettings& given, const VelocityProfile& profile, co
     swinging = single;
 
     const Mat2 R = rotation_z(now.yaw).topLeftCorner<2, 2>();
-    ZmpBounds room = bounds[now.support];
-    if (!single) {
-      const Side there = other(now.support);
-      const double across = (R.transpose() * (in.p_sole[there].head<2>() - now.origin)).y();
-      room = room.widened(bounds[there], across);
-    }
+    const ZmpBounds room = zmp_room(now, bounds, in.p_sole);
     const Vec2 wanted = reference_zmp(now, pendulum, tracker, in.com, in.dcom);
     const Vec2 zmp = now.origin + R * room.clamp(R.transpose() * (wanted - now.origin));
 

@@ -8,6 +8,7 @@
 #include "zmpwalk/gait/velocity_profile.hpp"
 #include "zmpwalk/gait/velocity_tracker.hpp"
 #include "zmpwalk/settings.hpp"
+#include "zmpwalk/zmp/bounds.hpp"
 
 namespace zmpwalk {
 
@@ -43,6 +44,10 @@ struct GaitOutput {
 /// its y what the lateral motion asks; at rest, what keeps the COM in the middle.
 Vec2 reference_zmp(const GaitOutput& gait, const LinearInvertedPendulum& pendulum, const VelocityTracker& tracker,
                    const Vec2& com, const Vec2& dcom);
+
+/// Where the ZMP may be, in S: inside the bounds of the support sole; sideways, two standing feet hold it anywhere between them.
+/// @param bounds of each sole, in its axes
+ZmpBounds zmp_room(const GaitOutput& gait, const std::array<ZmpBounds, 2>& bounds, const std::array<Vec3, 2>& p_sole);
 
 /// The gait: phases, support switch, footholds and swing foot, from time and the COM. Knows no torque and no simulator.
 ///
