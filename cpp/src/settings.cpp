@@ -74,9 +74,8 @@ WalkSettings::WalkSettings(const std::string& preset) : law(preset) {
   bound_lateral = false;
   footsteps = Footsteps::kPaper;
   step_lengths = paper_step_lengths();
-  cadence_exponent = 0.0;
+  cadence_exponent = cadence_double = sole_exponent = 0.0;
   crouch_limit = 0.0;
-  smooth_swing = false;
   stand = false;
   rate_limit = false;
   // (8) alone lags by one cycle of k_d, so it needs stiffer gains than a law with feed-forward.
@@ -135,7 +134,7 @@ WalkSettings resolve(const WalkSettings& settings, const RobotScale& robot, doub
   gains(s.com_y_kp, s.com_y_kd, 100.0, 20.0);
   gains(s.com_z_kp, s.com_z_kd, 200.0, 28.0);
   gains(s.trunk_kp, s.trunk_kd, 300.0, 35.0);
-  gains(s.swing_kp, s.swing_kd, 900.0, 60.0);
+  gains(s.swing_kp, s.swing_kd, 3600.0, 120.0);
   gains(s.posture_kp, s.posture_kd, 100.0, 20.0);
   fill(s.step_width, robot.foot_distance);
   // Rotor and damping take at most this share of the knee's torque, as long as that leaves a step of the least height.

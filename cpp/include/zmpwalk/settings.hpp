@@ -26,7 +26,7 @@ struct WalkSettings {
   // The cycle
   double control_dt = kNaN, T_ds = kNaN, T_ss = kNaN, T_ds_first = kNaN;
   std::string first_swing = "right";
-  double cadence_speed = kNaN, cadence_exponent = 0.5, cadence_sideways = 3.0, cadence_turning = kNaN;
+  double cadence_speed = kNaN, cadence_exponent = 0.4, cadence_double = 0.5, cadence_sideways = 3.0, cadence_turning = kNaN;
   bool stand = true;
   double stand_gain = 1.0, closing_reach = kNaN, closing_turn = 0.05;
   // How fast the planned velocity may change
@@ -40,7 +40,7 @@ struct WalkSettings {
   Iteration iteration = Iteration::kClosedForm;
   double zmp_threshold = 1e-3;
   int max_iterations = 200;
-  double sole_fraction = 0.72, ankle_torque_fraction = 0.9;
+  double sole_fraction = 0.72, sole_exponent = 0.5, ankle_torque_fraction = 0.9;
   bool bound_lateral = true;
   // COM
   double least_knee = 0.3, crouch_limit = kNaN, crouch_margin = 1.2, crouch_time = kNaN;
@@ -55,7 +55,7 @@ struct WalkSettings {
   std::vector<double> step_lengths;
   double step_width = kNaN, foot_clearance = kNaN, step_height = kNaN, foothold_reach = kNaN, com_lead = kNaN, foothold_time = kNaN,
          foothold_freeze = 0.7;
-  bool smooth_swing = true, swing_feed_forward = true;
+  bool swing_feed_forward = true;
   double swing_kp = kNaN, swing_kd = kNaN;
   // The other tasks, double support
   double trunk_kp = kNaN, trunk_kd = kNaN, posture_kp = kNaN, posture_kd = kNaN;
@@ -80,7 +80,9 @@ void visit_settings(Settings& s, Visitor&& v) {
   v("cadence_speed", s.cadence_speed, "m/s",
     "speed up to which steps take T_ds + T_ss and grow longer; NaN: 0.1 of sqrt(g COM height)");
   v("cadence_exponent", s.cadence_exponent, "",
-    "above it, steps take (cadence_speed / speed)^exponent of that; 0: always the same");
+    "above it, steps take (cadence_speed / speed)^cadence_exponent of that; 0: always the same");
+  v("cadence_double", s.cadence_double, "",
+    "and the double support's share of a step goes as (cadence_speed / speed)^cadence_double");
   v("cadence_sideways", s.cadence_sideways, "", "what 1 m/s sideways counts as forward, for the cadence");
   v("cadence_turning", s.cadence_turning, "m/rad",
     "what 1 rad/s counts as forward, for the cadence; NaN: 0.54 of the COM height");
@@ -109,6 +111,9 @@ void visit_settings(Settings& s, Visitor&& v) {
   v("zmp_threshold", s.zmp_threshold, "m", "|desired - estimated ZMP| at which the loop ends (section IV)");
   v("max_iterations", s.max_iterations, "", "bound of the loop");
   v("sole_fraction", s.sole_fraction, "", "share of the sole that the ZMP may use");
+  v("sole_exponent", s.sole_exponent, "",
+    "above cadence_speed the ZMP uses less of the sole's length, as (cadence_speed / speed)^sole_exponent: at its edges "
+    "the contact chatters");
   v("ankle_torque_fraction", s.ankle_torque_fraction, "", "share of the ankle's torque limit that may hold the ZMP");
   v("bound_lateral", s.bound_lateral, "", "bound the lateral ZMP too; the paper bounds the sagittal one only");
   v("least_knee", s.least_knee, "rad",
@@ -146,8 +151,6 @@ void visit_settings(Settings& s, Visitor&& v) {
     "tied footholds: time constant of the low-pass on the target; NaN: 0.18 T_c");
   v("foothold_freeze", s.foothold_freeze, "",
     "tied footholds: share of the single support after which the target stands");
-  v("smooth_swing", s.smooth_swing, "",
-    "swing foot on quintic splines, which begin and end without acceleration; False: on cubic ones (section IV)");
   v("swing_feed_forward", s.swing_feed_forward, "", "add the spline's acceleration to the swing foot's task");
   v("swing_kp", s.swing_kp, "1/s^2", "swing foot, position and orientation");
   v("swing_kd", s.swing_kd, "1/s", "swing foot, position and orientation");

@@ -29,7 +29,9 @@ Vec2 reference_zmp(const GaitOutput& gait, const LinearInvertedPendulum& pendulu
 }
 
 ZmpBounds zmp_room(const GaitOutput& gait, const std::array<ZmpBounds, 2>& bounds, const std::array<Vec3, 2>& p_sole) {
-  const ZmpBounds& room = bounds[gait.support];
+  ZmpBounds room = bounds[gait.support];
+  room.lower.x() *= gait.sole_share;
+  room.upper.x() *= gait.sole_share;
   if (!gait.standing[kLeft] || !gait.standing[kRight]) return room;
   const Side there = other(gait.support);
   return room.widened(bounds[there], (p_sole[there].head<2>() - gait.origin).dot(left_of(gait.yaw)));
@@ -40,6 +42,7 @@ GaitGenerator::GaitGenerator(const WalkSettings& settings, const VelocityProfile
       cadence_{{settings.T_ds, settings.T_ss},
                settings.cadence_speed,
                settings.cadence_exponent,
+               settings.cadence_double,
                {1.0, settings.cadence_sideways, settings.cadence_turning}},
       limits_{{settings.forward_jump, settings.sideways_jump, settings.turning_jump},
               {settings.forward_acceleration, settings.sideways_acceleration, settings.turning_acceleration},
@@ -49,7 +52,6 @@ GaitGenerator::GaitGenerator(const WalkSettings& settings, const VelocityProfile
       schedule_(settings.T_ds_first, settings.T_ds, settings.T_ss),
       footsteps_(settings, plan_, sole),
       lateral_(settings.lateral_feedback, settings.lateral_reach * 0.5 * sole.width),
-      swing_foot_(settings.smooth_swing),
       pendulum_(1.0, 1.0) {
   plan_.reserve();
 }
@@ -148,6 +150,7 @@ const GaitOutput& GaitGenerator::update_steps(const GaitInput& in) {
   const bool began = begin_phase(in);
   out_.heading = footsteps_.heading();
   out_.v_plan = plan_.velocity(in.t);
+  out_.sole_share = std::pow(cadence_.pace(out_.v_plan), settings_.sole_exponent);
   out_.standing = {true, true};
   out_.foothold = {Vec2::Constant(kNaN), kNaN};
   out_.w_T = kNaN;

@@ -11,10 +11,17 @@ constexpr double kTick = 1e-9;  // control times are sums of steps: a boundary c
 
 }  // namespace
 
-StepTimes Cadence::times(const Vec3& velocity) const {
+double Cadence::pace(const Vec3& velocity) const {
   const double v = weight.cwiseProduct(velocity).norm();
-  const double share = v > speed ? std::pow(speed / v, exponent) : 1.0;
-  return {share * slow.T_ds, share * slow.T_ss};
+  return v > speed ? speed / v : 1.0;
+}
+
+StepTimes Cadence::times(const Vec3& velocity) const {
+  const double fast = pace(velocity);
+  if (fast == 1.0) return slow;
+  const double period = slow.period() * std::pow(fast, exponent);
+  const double T_ds = period * slow.T_ds / slow.period() * std::pow(fast, double_exponent);
+  return {T_ds, period - T_ds};
 }
 
 Schedule::Schedule(double T_ds_first, double T_ds, double T_ss)

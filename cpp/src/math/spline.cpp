@@ -22,24 +22,4 @@ Motion1 Cubic::at(double t) const {
           inside ? 2.0 * c2_ + 6.0 * c3_ * s : 0.0};
 }
 
-Quintic::Quintic(const Motion1& from, double p1, double T)
-    : c0_(from.p), c1_(from.v), c2_(0.5 * from.a), T_(std::max(T, 0.0)) {
-  if (T_ == 0.0) {
-    c0_ = p1;
-    c1_ = c2_ = 0.0;
-    return;
-  }
-  const double d = (p1 - from.p) / T_, a = from.a * T_;  // [m/s]
-  c3_ = (10.0 * d - 6.0 * from.v - 1.5 * a) / (T_ * T_);
-  c4_ = (-15.0 * d + 8.0 * from.v + 1.5 * a) / (T_ * T_ * T_);
-  c5_ = (6.0 * d - 3.0 * from.v - 0.5 * a) / (T_ * T_ * T_ * T_);
-}
-
-Motion1 Quintic::at(double t) const {
-  const double s = std::clamp(t, 0.0, T_);
-  return {c0_ + s * (c1_ + s * (c2_ + s * (c3_ + s * (c4_ + s * c5_)))),
-          c1_ + s * (2.0 * c2_ + s * (3.0 * c3_ + s * (4.0 * c4_ + s * 5.0 * c5_))),
-          2.0 * c2_ + s * (6.0 * c3_ + s * (12.0 * c4_ + s * 20.0 * c5_))};
-}
-
 }  // namespace zmpwalk

@@ -33,6 +33,7 @@ struct GaitOutput {
   double yaw = 0.0;              ///< of S: the support sole's heading in W [rad]
   double heading = 0.0;          ///< of the walk, H: that of the path in W [rad]
   Vec3 v_plan = Vec3::Zero();    ///< planned velocity (v_x, v_y, w_z) in H
+  double sole_share = 1.0;       ///< of the sole's length between the ZMP's bounds that is used at this speed
   double zmp_lateral = 0.0;      ///< reference ZMP about `origin` along H's y [m]
   Vec2 zmp_rest = Vec2::Zero();  ///< at rest: reference ZMP, W [m]
   double w_T = kNaN;             ///< Eq. 18 in double support before the switch [m/s], else NaN

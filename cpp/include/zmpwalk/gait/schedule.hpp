@@ -23,13 +23,16 @@ struct StepTimes {
   double period() const { return T_ds + T_ss; }
 };
 
-/// How long steps take: `slow` up to a speed, then shorter as (speed / v)^exponent, so that steps first grow longer, then come faster.
+/// How long steps take: `slow` up to a speed, beyond it as powers of pace = speed / v, so that steps first grow longer, then also come
+/// faster, with ever shorter double supports.
 struct Cadence {
   StepTimes slow;
-  double speed = 0.0;       ///< up to which steps are slow [m/s]
-  double exponent = 0.0;    ///< 0: steps never come faster
-  Vec3 weight{1.0, 1.0, 0};  ///< what (v_x, v_y, w_z) count as, in v = |weight * velocity| [1, 1, m/rad]
+  double speed = 0.0;            ///< up to which steps are slow [m/s]
+  double exponent = 0.0;         ///< period as pace^exponent
+  double double_exponent = 0.0;  ///< share of the double support as pace^double_exponent
+  Vec3 weight{1.0, 1.0, 0.0};    ///< what (v_x, v_y, w_z) count as, in v = |weight * velocity| [1, 1, m/rad]
 
+  double pace(const Vec3& velocity) const;  ///< speed / v, at most 1
   StepTimes times(const Vec3& velocity) const;
 };
 

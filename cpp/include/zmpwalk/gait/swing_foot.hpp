@@ -16,14 +16,9 @@ struct SwingTarget {
   Vec3 alpha = Vec3::Zero();  ///< [rad/s^2]
 };
 
-/// Trajectory of the swing foot: up and down in z, and to a foothold that may move until late in x, y, yaw.
-///
-/// Cubic splines are the paper's (section IV); quintic ones begin and end without acceleration, which spares the hips at lift-off and
-/// lets the sole down softly.
+/// Trajectory of the swing foot: cubic splines (section IV), up and down in z, and to a foothold that may move until late in x, y, yaw.
 class SwingFoot {
  public:
-  explicit SwingFoot(bool smooth) : smooth_(smooth) {}
-
   /// @param p, R      sole at lift-off   @param duration of the single support [s]
   /// @param z_land    height at which the sole lands [m]   @param height  of the top over the higher of both ends [m]
   void begin(const Vec3& p, const Mat3& R, double duration, double z_land, double height);
@@ -35,11 +30,10 @@ class SwingFoot {
   const SwingTarget& target() const { return target_; }
 
  private:
-  Motion1 rest_to_rest(double from, double to, double duration, double t) const;
-
-  bool smooth_;
-  double duration_ = 0.0, z_lift_ = 0.0, top_ = 0.0, z_land_ = 0.0;
-  std::array<Motion1, 3> now_;  // x, y, yaw
+  double duration_ = 0.0;
+  Cubic up_, down_;
+  Vec3 from_ = Vec3::Zero();  // x, y, yaw now
+  Vec3 velocity_ = Vec3::Zero();
   SwingTarget target_;
 };
 

@@ -24,18 +24,4 @@ class Cubic {
   double c0_ = 0.0, c1_ = 0.0, c2_ = 0.0, c3_ = 0.0, T_ = 0.0;
 };
 
-/// The quintic that goes from position, velocity and acceleration at t = 0 to rest at p1, without acceleration, at t = T.
-///
-/// Past its end it holds.
-class Quintic {
- public:
-  Quintic() = default;
-  Quintic(const Motion1& from, double p1, double T);
-
-  Motion1 at(double t) const;
-
- private:
-  double c0_ = 0.0, c1_ = 0.0, c2_ = 0.0, c3_ = 0.0, c4_ = 0.0, c5_ = 0.0, T_ = 0.0;
-};
-
 }  // namespace zmpwalk
