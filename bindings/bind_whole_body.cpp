@@ -84,6 +84,6 @@ void bind_whole_body(py::module_& m) {
             return out;
           },
           "f_xy"_a, "Torque for horizontal COM acceleration (2,) [m/s^2].");
-  m.def("distribute_wrench", &distribute_wrench, "F"_a, "M_P"_a, "P"_a, "c"_a, "along"_a,
+  m.def("distribute_wrench", &distribute_wrench, "F"_a, "M_P"_a, "P"_a, "c"_a, "along"_a, "alone"_a = 0.0,
         "Shares a total wrench (F, M about P) between two feet with sole centres c, exactly; (12,).");
 }

@@ -19,9 +19,9 @@ double microseconds(Body&& body) {
 }
 
 WholeBodyOptions options_of(const WalkingController& controller, bool textbook) {
-  const WalkSettings& s = controller.settings();
-  return {textbook,         s.posture_task, s.wrench_distribution, s.contact_damping, s.singular_damping,
-          s.singular_pivot, s.kernel};
+  WholeBodyOptions options = controller.whole_body().options();
+  options.textbook = textbook;
+  return options;
 }
 
 double relative(const ConstVecRef& a, const ConstVecRef& b) { return (a - b).norm() / std::max(b.norm(), 1e-12); }

@@ -74,6 +74,7 @@ WalkSettings::WalkSettings(const std::string& preset) : law(preset) {
   bound_lateral = false;
   footsteps = Footsteps::kPaper;
   step_lengths = paper_step_lengths();
+  load_alone = 0.0;
   cadence_exponent = cadence_double = sole_exponent = 0.0;
   crouch_limit = 0.0;
   stand = false;

@@ -60,7 +60,7 @@ struct WalkSettings {
   // The other tasks, double support
   double trunk_kp = kNaN, trunk_kd = kNaN, posture_kp = kNaN, posture_kd = kNaN;
   bool posture_task = true, wrench_distribution = true, textbook = false;
-  double contact_damping = 100.0;
+  double load_alone = 0.7, contact_damping = 100.0;
   double singular_damping = 1e-3, singular_pivot = 1e-2;
   double friction_velocity = 0.02;
   std::string kernel = "auto";
@@ -161,6 +161,9 @@ void visit_settings(Settings& s, Visitor&& v) {
   v("posture_task", s.posture_task, "", "stack the posture of waist and arms");
   v("wrench_distribution", s.wrench_distribution, "",
     "share the load of two standing feet; False: minimum-norm torque");
+  v("load_alone", s.load_alone, "",
+    "double support: while the ZMP is this near to a sole's centre line, in half sole widths, that foot carries "
+    "everything: a foot that just landed chatters under a light load");
   v("contact_damping", s.contact_damping, "1/s",
     "damping of the velocity of a standing foot that does not carry the ZMP: without load it would drift off the "
     "ground");

@@ -100,6 +100,7 @@ class WalkingController {
   const TaskAccelerations& tasks() const { return f_star_; }  ///< the COM's x and y are `com_acceleration`
   const Vec2& com_acceleration() const { return f_xy_; }      ///< W [m/s^2]
   const WalkSettings& settings() const { return settings_; }
+  const WholeBodyController& whole_body() const { return whole_body_; }
   const VelocityProfile& profile() const { return profile_; }
   const Robot& robot() const { return robot_; }
   double com_height() const { return com_height_; }                   ///< z_c over the soles [m]

@@ -228,7 +228,8 @@ void WholeBodyController::solve(const Vec2& f_xy, WholeBodyResult& out) const {
     Vec3 P = s;
     P.head<2>() += zmp_of_wrench(F, M);
     const Vec3 M_P = M - (P - s).cross(F);
-    out.f_c = distribute_wrench(F, M_P, P, {dyn.sole[kLeft].p_WF, dyn.sole[kRight].p_WF}, stance_.lateral);
+    out.f_c = distribute_wrench(F, M_P, P, {dyn.sole[kLeft].p_WF, dyn.sole[kRight].p_WF}, stance_.lateral,
+                                options_.load_alone);
   } else {
     const Side side = stance_.standing[kLeft] ? kLeft : kRight;
     out.f_c.segment<3>(6 * side) = F;

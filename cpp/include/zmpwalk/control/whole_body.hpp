@@ -34,6 +34,7 @@ struct WholeBodyOptions {
   bool textbook = false;     ///< equations 1-13 as printed instead of the direct path
   bool posture_task = true;  ///< stack waist and arms; without it their motion is left to the minimum-norm torque
   bool wrench_distribution = true;  ///< share the load in double support; without it the minimum-norm torque decides
+  double load_alone = 0.0;       ///< distance of the ZMP from a sole centre within which that foot carries all load [m]
   double contact_damping = 0.0;  ///< of a standing foot that does not carry the ZMP [1/s]: without load it would drift
   double damping = 1e-3;         ///< of the least-squares motion where a leg is straight [1 in rows of K]
   double singular_pivot = 1e-2;  ///< pivot below which the legs count as singular
