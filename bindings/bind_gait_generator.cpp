@@ -9,9 +9,14 @@ namespace {
 struct PyGait {
   PyGait(double com_height, double gravity, double timestep, double foot_distance, double sole_width, double sole_length,
          const VelocityProfile& p, const WalkSettings& s)
-      : pendulum(com_height, gravity),
+      : sole(sole_length, sole_width),
+        pendulum(com_height, gravity),
         settings(resolve(s, scale(com_height, gravity, timestep, foot_distance))),
-        gait(settings, p, {sole_length, sole_width}) {}
+        gait(settings, p, {sole_length, sole_width}, {bounds(), bounds()}) {}
+  ZmpBounds bounds() const {
+    const Vec2 half = 0.5 * settings.sole_fraction * sole;
+    return {-half, half};
+  }
   static RobotScale scale(double com_height, double gravity, double timestep, double foot_distance) {
     RobotScale out;
     out.com_height = com_height;
@@ -20,6 +25,7 @@ struct PyGait {
     out.foot_distance = foot_distance;
     return out;
   }
+  Vec2 sole;
   LinearInvertedPendulum pendulum;
   WalkSettings settings;
   GaitGenerator gait;
@@ -64,7 +70,7 @@ void bind_gait_generator(py::module_& m) {
                      "Phases, support switch, footholds and swing foot, from time and the COM alone.")
       .def(py::init<double, double, double, double, double, double, const VelocityProfile&, const WalkSettings&>(),
            py::kw_only(), "com_height"_a, "gravity"_a = 9.81, "timestep"_a = 0.001, "foot_distance"_a, "sole_width"_a,
-           "sole_length"_a = 0.0, "profile"_a, py::arg_v("settings", WalkSettings(), "WalkSettings()"),
+           "sole_length"_a = 0.25, "profile"_a, py::arg_v("settings", WalkSettings(), "WalkSettings()"),
            "Args:\n    com_height: z_c [m].\n    gravity: [m/s^2].\n    timestep: control period [s].\n    "
            "foot_distance, sole_width, sole_length: [m].\n"
            "    profile: VelocityProfile.\n    settings: WalkSettings.\n\nRaises:\n    InputError.")

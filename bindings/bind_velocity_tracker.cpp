@@ -5,14 +5,15 @@ using namespace zmpwalk;
 
 void bind_velocity_tracker(py::module_& m) {
   py::class_<VelocityTracker>(m, "VelocityTracker", "Planned-velocity tracking along one axis, III-C.")
-      .def(py::init([](const std::string& law, double gain, double time, double deadband) {
+      .def(py::init([](const std::string& law, double gain, double time, double deadband, double reach) {
              TrackerLaw parsed;
              from_string(law, parsed);
-             return VelocityTracker(parsed, gain, time, deadband);
+             return VelocityTracker(parsed, gain, time, deadband, reach);
            }),
            "law"_a = "smooth", "gain"_a = 5.0, "time"_a = 0.05, "deadband"_a = 2e-4,
+           "reach"_a = std::numeric_limits<double>::infinity(),
            "Args:\n    law: 'smooth' or 'bang_bang' (the paper's).\n    gain: [1/s].\n    time: [s].\n    deadband: "
-           "[m].\n\nRaises:\n    InputError.")
+           "[m].\n    reach: largest |gain I| [m/s].\n\nRaises:\n    InputError.")
       .def("reset", &VelocityTracker::reset)
       .def("acceleration", &VelocityTracker::acceleration, "v_plan"_a, "v"_a,
            "Smooth law: (v_plan - gain I - v) / time [m/s^2].")

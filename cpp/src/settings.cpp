@@ -127,6 +127,7 @@ WalkSettings resolve(const WalkSettings& settings, const RobotScale& robot, doub
   fill(s.foot_clearance, 0.03 * robot.com_height);
   fill(s.tracker_gain, 1.38 / Tc);
   fill(s.tracker_time, 0.18 * Tc);
+  fill(s.tracker_reach, 0.03 * speed);
   const auto gains = [&](double& kp, double& kd, double kp_ref, double kd_ref) {
     fill(kp, kp_ref * rate * rate);
     fill(kd, kd_ref * rate);

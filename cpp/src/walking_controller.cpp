@@ -93,14 +93,15 @@ WalkingController::WalkingController(const mjModel* model, const RobotDescriptio
       sole_(sole_of(description)),
       settings_(resolve(settings, scale_of(robot_), top_speed(profile))),
       pendulum_(com_height_, robot_.dynamics().gravity.norm()),
-      gait_(settings_, profile_, sole_),
-      tracker_(settings_.tracker, settings_.tracker_gain, settings_.tracker_time, settings_.tracker_deadband),
+      bounds_{bounds_of(robot_, kLeft, settings_), bounds_of(robot_, kRight, settings_)},
+      gait_(settings_, profile_, sole_, bounds_),
+      tracker_(settings_.tracker, settings_.tracker_gain, settings_.tracker_time, settings_.tracker_deadband,
+               settings_.tracker_reach),
       whole_body_(robot_.nv(), robot_.leg_joints(),
                   {settings_.textbook, settings_.posture_task, settings_.wrench_distribution,
                    settings_.load_alone * 0.5 * sole_.width, settings_.contact_damping,
                    settings_.singular_damping, settings_.singular_pivot, settings_.kernel}),
       estimator_(robot_.nv()),
-      bounds_{bounds_of(robot_, kLeft, settings_), bounds_of(robot_, kRight, settings_)},
       hip_turn_(robot_.hip_turn()),
       R_HB_(Mat3::Identity()),
       kp_(settings_.com_x_kp, settings_.com_y_kp),
@@ -420,8 +421,7 @@ void WalkingController::choose_reference(const GaitOutput& gait) {
   Vec2 zmp = estimate_of(c.f);
   Vec2 wanted = zmp;
 
-  const auto& [left, right] = robot_.dynamics().sole;
-  const ZmpBounds bounds = zmp_room(gait, bounds_, {left.p_WF, right.p_WF});
+  const ZmpBounds& bounds = gait.room;
   if (settings_.zmp_modification) {
     const Vec2 inside = bounds.clamp(zmp);
     wanted.x() = inside.x();

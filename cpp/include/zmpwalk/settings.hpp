@@ -35,7 +35,7 @@ struct WalkSettings {
   double forward_acceleration = kNaN, forward_deceleration = kNaN, sideways_acceleration = kNaN, turning_acceleration = kNaN;
   // Velocity tracking (III-C) and the reference ZMP (III-B)
   TrackerLaw tracker = TrackerLaw::kSmooth;
-  double tracker_gain = kNaN, tracker_time = kNaN, tracker_deadband = 2e-4;
+  double tracker_gain = kNaN, tracker_time = kNaN, tracker_reach = kNaN, tracker_deadband = 2e-4;
   bool zmp_modification = true;
   Iteration iteration = Iteration::kClosedForm;
   double zmp_threshold = 1e-3;
@@ -103,6 +103,9 @@ void visit_settings(Settings& s, Visitor&& v) {
   v("tracker_gain", s.tracker_gain, "1/s",
     "smooth tracker: speed asked for per metre of integrated error; NaN: 1.38 / T_c");
   v("tracker_time", s.tracker_time, "s", "smooth tracker: time in which a speed error is removed; NaN: 0.18 T_c");
+  v("tracker_reach", s.tracker_reach, "m/s",
+    "smooth tracker: largest speed beside the planned one that removes an integrated error; NaN: 0.03 of sqrt(g COM "
+    "height)");
   v("tracker_deadband", s.tracker_deadband, "m",
     "bang-bang tracker: integrated error that counts as zero before a drive starts");
   v("zmp_modification", s.zmp_modification, "",

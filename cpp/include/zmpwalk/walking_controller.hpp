@@ -150,11 +150,11 @@ class WalkingController {
   SoleSize sole_;
   WalkSettings settings_;
   LinearInvertedPendulum pendulum_;
+  std::array<ZmpBounds, 2> bounds_;
   GaitGenerator gait_;
   VelocityTracker tracker_;
   WholeBodyController whole_body_;
   ZmpEstimator estimator_;
-  std::array<ZmpBounds, 2> bounds_;
 
   double hip_turn_;  // of the hips about the vertical [rad]
   Mailbox mailbox_;

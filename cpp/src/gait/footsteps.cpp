@@ -44,7 +44,9 @@ void FootstepPlanner::advance(double t, const Vec2& com) {
 double FootstepPlanner::lead(int n, double t_mid, double period) const {
   const std::vector<double>& lengths = settings_.step_lengths;
   if (!lengths.empty()) return lengths[std::min<std::size_t>(n, lengths.size() - 1)];
-  return plan_->displacement(t_mid, t_mid + period).x();
+  if (settings_.footsteps == Footsteps::kAbsolute) return plan_->displacement(t_mid, t_mid + period).x();
+  // Half of what the path does in either foot's stance.
+  return 0.5 * plan_->displacement(t_mid - period, t_mid + period).x();
 }
 
 Foothold FootstepPlanner::planned(Side swing, double t_mid, double period) const {
@@ -89,14 +91,14 @@ bool FootstepPlanner::close(Side swing, const Foothold& stance, const Vec2& dcom
   return closing_;
 }
 
-const Foothold& FootstepPlanner::update(const Vec2& dcom, double aside, double t_mid, double period, double Tc,
-                                        double share, double dt) {
+const Foothold& FootstepPlanner::update(const Vec2& dcom, double ahead_of_plan, double aside, double t_mid,
+                                        double period, double Tc, double share, double dt) {
   if (closing_ || settings_.footsteps != Footsteps::kTied || share > settings_.foothold_freeze) return target_;
   Foothold wanted = planned(swing_, t_mid, period);
   const Vec2 ahead = ahead_of(wanted.yaw), left = left_of(wanted.yaw);
   const Vec2 v_plan = plan_->velocity(t_).head<2>();
   const double along = ahead_of(path_.yaw).dot(dcom) - v_plan.x(), reach = settings_.foothold_reach;
-  const Vec2 off = wanted.p + Tc * along * ahead_of(path_.yaw) - nominal_.p;
+  const Vec2 off = wanted.p + (Tc * along + ahead_of_plan) * ahead_of(path_.yaw) - nominal_.p;
   wanted.p = nominal_.p + std::clamp(off.dot(ahead), -reach, reach) * ahead +
              (off.dot(left) + std::clamp(aside, -reach, reach)) * left;
   wanted = clear(wanted, swing_, stance_);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <algorithm>
 #include <cmath>
 
 #include "zmpwalk/math/rotation.hpp"
@@ -28,16 +29,8 @@ Vec2 reference_zmp(const GaitOutput& gait, const LinearInvertedPendulum& pendulu
          gait.zmp_lateral * left_of(gait.heading);
 }
 
-ZmpBounds zmp_room(const GaitOutput& gait, const std::array<ZmpBounds, 2>& bounds, const std::array<Vec3, 2>& p_sole) {
-  ZmpBounds room = bounds[gait.support];
-  room.lower.x() *= gait.sole_share;
-  room.upper.x() *= gait.sole_share;
-  if (!gait.standing[kLeft] || !gait.standing[kRight]) return room;
-  const Side there = other(gait.support);
-  return room.widened(bounds[there], (p_sole[there].head<2>() - gait.origin).dot(left_of(gait.yaw)));
-}
-
-GaitGenerator::GaitGenerator(const WalkSettings& settings, const VelocityProfile& profile, const SoleSize& sole)
+GaitGenerator::GaitGenerator(const WalkSettings& settings, const VelocityProfile& profile, const SoleSize& sole,
+                             const std::array<ZmpBounds, 2>& bounds)
     : settings_(settings),
       cadence_{{settings.T_ds, settings.T_ss},
                settings.cadence_speed,
@@ -52,7 +45,8 @@ GaitGenerator::GaitGenerator(const WalkSettings& settings, const VelocityProfile
       schedule_(settings.T_ds_first, settings.T_ds, settings.T_ss),
       footsteps_(settings, plan_, sole),
       lateral_(settings.lateral_feedback, settings.lateral_reach * 0.5 * sole.width),
-      pendulum_(1.0, 1.0) {
+      pendulum_(1.0, 1.0),
+      bounds_(bounds) {
   plan_.reserve();
 }
 
@@ -150,7 +144,6 @@ const GaitOutput& GaitGenerator::update_steps(const GaitInput& in) {
   const bool began = begin_phase(in);
   out_.heading = footsteps_.heading();
   out_.v_plan = plan_.velocity(in.t);
-  out_.sole_share = std::pow(cadence_.pace(out_.v_plan), settings_.sole_exponent);
   out_.standing = {true, true};
   out_.foothold = {Vec2::Constant(kNaN), kNaN};
   out_.w_T = kNaN;
@@ -173,6 +166,7 @@ const GaitOutput& GaitGenerator::update_steps(const GaitInput& in) {
   }
   out_.origin = in.p_sole[out_.support].head<2>();
   out_.yaw = yaw_of(in.R_sole[out_.support]);
+  out_.room = room(in);
   if (out_.at_rest) {
     // The ZMP leads the DCM back to the middle between the feet.
     const Vec2 middle = 0.5 * (in.p_sole[kLeft] + in.p_sole[kRight]).head<2>();
@@ -182,6 +176,34 @@ const GaitOutput& GaitGenerator::update_steps(const GaitInput& in) {
     move_sideways(in);
   }
   return out_;
+}
+
+ZmpBounds GaitGenerator::room(const GaitInput& in) const {
+  ZmpBounds out = bounds_[out_.support];
+  const double share = std::pow(cadence_.pace(out_.v_plan), settings_.sole_exponent);
+  out.lower.x() *= share;
+  out.upper.x() *= share;
+  if (!out_.standing[kLeft] || !out_.standing[kRight]) return out;
+  const Side there = other(out_.support);
+  return out.widened(bounds_[there], (in.p_sole[there].head<2>() - out_.origin).dot(left_of(out_.yaw)));
+}
+
+double GaitGenerator::held_back(const GaitInput& in, double time) const {
+  const double v = out_.v_plan.x();
+  if (!(time > 0.0) || plan_.displacement(in.t, in.t + time).x() == v * time) return 0.0;
+  // The pendulum under the smooth tracker from the planned velocity on, with and without bounds.
+  constexpr int kPieces = 16;
+  const double dt = time / kPieces, catch_up = -std::expm1(-dt / settings_.tracker_time) / dt;
+  PendulumState free{(in.com - out_.origin).dot(ahead_of(out_.heading)), v}, held = free;
+  for (int k = 0; k < kPieces; ++k) {
+    const double v_plan = plan_.velocity(in.t + (k + 0.5) * dt).x();
+    const auto reference = [&](const PendulumState& s) {
+      return pendulum_.reference_for(s.x, catch_up * (v_plan - s.v));
+    };
+    free = pendulum_.step(dt, free, reference(free));
+    held = pendulum_.step(dt, held, std::clamp(reference(held), out_.room.lower.x(), out_.room.upper.x()));
+  }
+  return pendulum_.dcm(held) - pendulum_.dcm(free);
 }
 
 void GaitGenerator::move_sideways(const GaitInput& in) {
@@ -208,7 +230,7 @@ void GaitGenerator::move_sideways(const GaitInput& in) {
                  footsteps_.close(out_.swing, foot, in.dcom, pendulum_.Tc());
     }
     const double aside = lateral_.miss(pendulum_, xi, xi_end(footsteps_.planned(out_.swing, t_mid, period_).p), time);
-    out_.foothold = footsteps_.update(in.dcom, aside, t_mid, period_, pendulum_.Tc(),
+    out_.foothold = footsteps_.update(in.dcom, held_back(in, time), aside, t_mid, period_, pendulum_.Tc(),
                                       out_.phase.time / out_.phase.duration, dt);
   }
   if (lateral_.awaits_switch()) {

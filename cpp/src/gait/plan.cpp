@@ -22,8 +22,9 @@ WalkPlan plan_walk(const WalkSettings& given, const VelocityProfile& profile, co
   plan.support.reserve(count);
   WalkSettings settings = given;
   settings.lateral_feedback = true;
-  GaitGenerator gait(settings, profile, sole);
-  VelocityTracker tracker(TrackerLaw::kSmooth, settings.tracker_gain, settings.tracker_time, settings.tracker_deadband);
+  GaitGenerator gait(settings, profile, sole, bounds);
+  VelocityTracker tracker(TrackerLaw::kSmooth, settings.tracker_gain, settings.tracker_time, settings.tracker_deadband,
+                          settings.tracker_reach);
   GaitInput in = start;
   gait.reset(in, pendulum);
   bool swinging = false;
@@ -40,9 +41,8 @@ WalkPlan plan_walk(const WalkSettings& given, const VelocityProfile& profile, co
     swinging = single;
 
     const Mat2 R = rotation_z(now.yaw).topLeftCorner<2, 2>();
-    const ZmpBounds room = zmp_room(now, bounds, in.p_sole);
     const Vec2 wanted = reference_zmp(now, pendulum, tracker, in.com, in.dcom);
-    const Vec2 zmp = now.origin + R * room.clamp(R.transpose() * (wanted - now.origin));
+    const Vec2 zmp = now.origin + R * now.room.clamp(R.transpose() * (wanted - now.origin));
 
     plan.t.push_back(in.t);
     plan.com.push_back(in.com);

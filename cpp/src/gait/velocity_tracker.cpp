@@ -1,13 +1,14 @@
 #include "zmpwalk/gait/velocity_tracker.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "zmpwalk/math/error.hpp"
 
 namespace zmpwalk {
 
-VelocityTracker::VelocityTracker(TrackerLaw law, double gain, double time, double deadband)
-    : law_(law), gain_(gain), time_(time), deadband_(deadband) {
+VelocityTracker::VelocityTracker(TrackerLaw law, double gain, double time, double deadband, double reach)
+    : law_(law), gain_(gain), time_(time), deadband_(deadband), reach_(reach) {
   require_positive("tracker_gain", gain);
   require_positive("tracker_time", time);
   require_positive("tracker_deadband", deadband);
@@ -18,7 +19,9 @@ void VelocityTracker::reset() {
   drive_ = Drive::kNone;
 }
 
-double VelocityTracker::acceleration(double v_plan, double v) const { return (v_plan - gain_ * integral_ - v) / time_; }
+double VelocityTracker::acceleration(double v_plan, double v) const { 
+  return (v_plan - std::clamp(gain_ * integral_, -reach_, reach_) - v) / time_;
+}
 
 void VelocityTracker::advance(double v_des, double v_plan, double dt) {
   const double before = integral_;

@@ -62,10 +62,11 @@ class FootstepPlanner {
 
   /// Foothold for this cycle, tied to the COM where that is the setting.
   ///
-  /// @param dcom   velocity of the COM, W (2,) [m/s]   @param aside  what the DCM will miss, along the left [m]
+  /// @param dcom   velocity of the COM, W (2,) [m/s]
+  /// @param ahead_of_plan, aside  what the DCM will miss, along the heading and along the left [m]
   /// @param t_mid  middle of the next double support [s]   @param share of the single support that has gone by
-  const Foothold& update(const Vec2& dcom, double aside, double t_mid, double period, double Tc, double share,
-                         double dt);
+  const Foothold& update(const Vec2& dcom, double ahead_of_plan, double aside, double t_mid, double period, double Tc,
+                         double share, double dt);
 
   const Foothold& target() const { return target_; }
 

@@ -33,7 +33,7 @@ struct GaitOutput {
   double yaw = 0.0;              ///< of S: the support sole's heading in W [rad]
   double heading = 0.0;          ///< of the walk, H: that of the path in W [rad]
   Vec3 v_plan = Vec3::Zero();    ///< planned velocity (v_x, v_y, w_z) in H
-  double sole_share = 1.0;       ///< of the sole's length between the ZMP's bounds that is used at this speed
+  ZmpBounds room;                ///< where the ZMP may be, in S: inside the support sole; sideways, two feet hold it all between them
   double zmp_lateral = 0.0;      ///< reference ZMP about `origin` along H's y [m]
   Vec2 zmp_rest = Vec2::Zero();  ///< at rest: reference ZMP, W [m]
   double w_T = kNaN;             ///< Eq. 18 in double support before the switch [m/s], else NaN
@@ -46,17 +46,15 @@ struct GaitOutput {
 Vec2 reference_zmp(const GaitOutput& gait, const LinearInvertedPendulum& pendulum, const VelocityTracker& tracker,
                    const Vec2& com, const Vec2& dcom);
 
-/// Where the ZMP may be, in S: inside the bounds of the support sole; sideways, two standing feet hold it anywhere between them.
-/// @param bounds of each sole, in its axes
-ZmpBounds zmp_room(const GaitOutput& gait, const std::array<ZmpBounds, 2>& bounds, const std::array<Vec3, 2>& p_sole);
-
 /// The gait: phases, support switch, footholds and swing foot, from time and the COM. Knows no torque and no simulator.
 ///
 /// It walks while the plan moves and stands, feet side by side, while it does not.
 class GaitGenerator {
  public:
   /// @param settings resolved   @param profile planned velocity; what changes too fast is limited   @param sole the larger of both
-  GaitGenerator(const WalkSettings& settings, const VelocityProfile& profile, const SoleSize& sole);
+  /// @param bounds of the ZMP, of each sole, in its axes
+  GaitGenerator(const WalkSettings& settings, const VelocityProfile& profile, const SoleSize& sole,
+                const std::array<ZmpBounds, 2>& bounds);
   GaitGenerator(const GaitGenerator&) = delete;
   GaitGenerator& operator=(const GaitGenerator&) = delete;
 
@@ -82,6 +80,10 @@ class GaitGenerator {
   bool begin_phase(const GaitInput& in);  // whether a double support began
   void begin_walk(const GaitInput& in);
   void move_sideways(const GaitInput& in);
+  ZmpBounds room(const GaitInput& in) const;
+  /// By how much the bounds of the stance sole keep the DCM along the heading from following a plan that changes before the
+  /// middle of the next double support, `time` [s] away: where it will be, less where the plan has it [m].
+  double held_back(const GaitInput& in, double time) const;
 
   WalkSettings settings_;
   Cadence cadence_;
@@ -92,6 +94,7 @@ class GaitGenerator {
   LateralMotion lateral_;
   SwingFoot swing_foot_;
   LinearInvertedPendulum pendulum_;
+  std::array<ZmpBounds, 2> bounds_;
   GaitOutput out_;
   bool lifted_ = false;     // a single support began with this cycle
   bool closing_ = false;    // this step ends beside the stance foot

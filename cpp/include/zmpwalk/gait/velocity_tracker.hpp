@@ -16,10 +16,13 @@ enum class Drive : int {
 ///
 /// Integrates I = integral of (v_des - v_plan). The bang-bang law is the paper's: while I is not zero the desired ZMP sits on a bound.
 /// The smooth law asks for v_want = v_plan - k I and removes the speed error in `time`: a = (v_want - v) / time; it needs no modes.
+/// k I stays within `reach`: a robot whose feet could not follow catches up slowly.
 class VelocityTracker {
  public:
   /// @param gain k [1/s]  @param time [s]  @param deadband |I| that counts as zero before a drive starts [m]. @throws InputError not finite and > 0
-  VelocityTracker(TrackerLaw law, double gain, double time, double deadband);
+  /// @param reach largest |k I| [m/s]
+  VelocityTracker(TrackerLaw law, double gain, double time, double deadband,
+                  double reach = std::numeric_limits<double>::infinity());
 
   void reset();
   /// Bang-bang law: what the state of the integral asks for.
@@ -34,7 +37,7 @@ class VelocityTracker {
 
  private:
   TrackerLaw law_;
-  double gain_, time_, deadband_;
+  double gain_, time_, deadband_, reach_;
   double integral_ = 0.0;
   Drive drive_ = Drive::kNone;
 };
