@@ -25,8 +25,10 @@ Vec2 reference_zmp(const GaitOutput& gait, const LinearInvertedPendulum& pendulu
   if (gait.at_rest) return gait.zmp_rest;
   const Vec2 ahead = ahead_of(gait.heading);
   const double a = tracker.acceleration(gait.v_plan.x(), dcom.dot(ahead));
-  return gait.origin + pendulum.reference_for((com - gait.origin).dot(ahead), a) * ahead +
-         gait.zmp_lateral * left_of(gait.heading);
+  const double r = pendulum.reference_for((com - gait.origin).dot(ahead), a);
+  // What is beyond the bounds must not lean sideways where the sole points elsewhere than the walk.
+  const double inside = std::clamp(r, gait.room.lower.x(), gait.room.upper.x());
+  return gait.origin + inside * ahead + (r - inside) * ahead_of(gait.yaw) + gait.zmp_lateral * left_of(gait.heading);
 }
 
 GaitGenerator::GaitGenerator(const WalkSettings& settings, const VelocityProfile& profile, const SoleSize& sole,
