@@ -127,7 +127,7 @@ WalkingController::WalkingController(const mjModel* model, const RobotDescriptio
 
 GaitInput WalkingController::gait_input(double t, const Vec2& com, const Vec2& dcom) const {
   const auto& [left, right] = robot_.dynamics().sole;
-  return {t, com, dcom, {left.p_WF, right.p_WF}, {left.R_WF, right.R_WF}, ground_};
+  return {t, com, dcom, {left.p_WF, right.p_WF}, {left.R_WF, right.R_WF}, tracker_.catch_up(), ground_};
 }
 
 WalkPlan WalkingController::plan(double duration, double dt) const {
@@ -161,8 +161,8 @@ double WalkingController::reach_share(const Vec3& velocity) const {
   return std::max(stride(velocity) / reach(settings_.crouch_limit), std::abs(turn) / hip_turn_);
 }
 
-double WalkingController::crouch_for(const Vec3& velocity) const {
-  const double wanted = settings_.crouch_margin * stride(velocity);
+double WalkingController::crouch_for(double stride) const {
+  const double wanted = settings_.crouch_margin * stride;
   if (wanted <= reach(0.0)) return 0.0;
   double less = 0.0, enough = settings_.crouch_limit;
   for (int i = 0; i < 12; ++i) {
@@ -180,11 +180,11 @@ void WalkingController::set_height(double crouch) {
                 pd_acceleration(kp_[i], kd_[i], std::cosh(dt / Tc) - 1.0, std::sinh(dt / Tc) / Tc);
 }
 
-void WalkingController::move_height(double t) {
-  // Ahead of the speed by a step, critically damped.
+void WalkingController::move_height(double t, double stretch) {
+  // Ahead of the speed by a step, or for where the feet are to stand; critically damped.
   const VelocityProfile& plan = gait_.plan();
   const double ahead = gait_.cadence().slow.period(), rate = 1.0 / settings_.crouch_time, dt = settings_.control_dt;
-  const double wanted = std::max(crouch_for(plan.velocity(t)), crouch_for(plan.velocity(t + ahead)));
+  const double wanted = crouch_for(std::max({stride(plan.velocity(t)), stride(plan.velocity(t + ahead)), stretch}));
   if (wanted == 0.0 && crouch_ == 0.0) return;
   ddcrouch_ = rate * (rate * (wanted - crouch_) - 2.0 * dcrouch_);
   crouch_ += dcrouch_ * dt;
@@ -320,8 +320,8 @@ const CycleOutput& WalkingController::update(mjData* data, Terms terms) {
   const GaitInput in =
       gait_input(t, measured ? Vec2(dyn.com.head<2>()) : com_des_, measured ? Vec2(dyn.dcom.head<2>()) : dcom_des_);
   if (mailbox_.take(out_.command)) gait_.command(out_.command);
-  move_height(t);
   const GaitOutput& gait = gait_.update(in);
+  move_height(t, gait.stretch);
   R_S_ = rotation_z(gait.yaw).topLeftCorner<2, 2>();
   R_H_ = rotation_z(gait.heading).topLeftCorner<2, 2>();
   const auto to_S = [&](const Vec2& p) { return Vec2(R_S_.transpose() * p); };

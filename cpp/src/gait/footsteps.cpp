@@ -82,6 +82,14 @@ Foothold FootstepPlanner::begin_step(int n, Side swing, const Foothold& stance, 
   return target_;
 }
 
+double FootstepPlanner::stretch(const Foothold& stance, double t_mid) const {
+  const Foothold middle = moved(path_, plan_->travel(t_, t_mid));
+  const auto from_hip = [&](const Foothold& foot, Side side) {
+    return (foot.p - moved(middle, {0.0, 0.5 * side_sign(side) * settings_.step_width, 0.0}).p).norm();
+  };
+  return std::max(from_hip(target_, swing_), from_hip(stance, other(swing_)));
+}
+
 bool FootstepPlanner::close(Side swing, const Foothold& stance, const Vec2& dcom, double Tc) {
   const Foothold beside = moved(stance, {0.0, side_sign(swing) * settings_.step_width, 0.0});
   const Vec2 ahead = ahead_of(path_.yaw);
@@ -91,14 +99,13 @@ bool FootstepPlanner::close(Side swing, const Foothold& stance, const Vec2& dcom
   return closing_;
 }
 
-const Foothold& FootstepPlanner::update(const Vec2& dcom, double ahead_of_plan, double aside, double t_mid,
-                                        double period, double Tc, double share, double dt) {
+const Foothold& FootstepPlanner::update(double ahead_of_plan, double aside, double t_mid, double period,
+                                        double share, double dt) {
   if (closing_ || settings_.footsteps != Footsteps::kTied || share > settings_.foothold_freeze) return target_;
   Foothold wanted = planned(swing_, t_mid, period);
   const Vec2 ahead = ahead_of(wanted.yaw), left = left_of(wanted.yaw);
-  const Vec2 v_plan = plan_->velocity(t_).head<2>();
-  const double along = ahead_of(path_.yaw).dot(dcom) - v_plan.x(), reach = settings_.foothold_reach;
-  const Vec2 off = wanted.p + (Tc * along + ahead_of_plan) * ahead_of(path_.yaw) - nominal_.p;
+  const double reach = settings_.foothold_reach;
+  const Vec2 off = wanted.p + ahead_of_plan * ahead_of(path_.yaw) - nominal_.p;
   wanted.p = nominal_.p + std::clamp(off.dot(ahead), -reach, reach) * ahead +
              (off.dot(left) + std::clamp(aside, -reach, reach)) * left;
   wanted = clear(wanted, swing_, stance_);

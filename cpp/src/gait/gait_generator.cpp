@@ -151,6 +151,7 @@ const GaitOutput& GaitGenerator::update_steps(const GaitInput& in) {
   out_.w_T = kNaN;
   out_.zmp_lateral = 0.0;
   lifted_ = false;
+  out_.stretch = 0.0;
   if (out_.at_rest) {
     const double since = began ? 0.0 : out_.phase.time + settings_.control_dt;
     out_.phase = {Phase::kDoubleSupport, out_.phase.step, since, since, kNaN, kNaN};
@@ -190,22 +191,25 @@ ZmpBounds GaitGenerator::room(const GaitInput& in) const {
   return out.widened(bounds_[there], (in.p_sole[there].head<2>() - out_.origin).dot(left_of(out_.yaw)));
 }
 
-double GaitGenerator::held_back(const GaitInput& in, double time) const {
-  const double v = out_.v_plan.x();
-  if (!(time > 0.0) || plan_.displacement(in.t, in.t + time).x() == v * time) return 0.0;
-  // The pendulum under the smooth tracker from the planned velocity on, with and without bounds.
+double GaitGenerator::ahead_of_plan(const GaitInput& in, double time) const {
+  if (!(time > 0.0)) return 0.0;
+  // The pendulum (16) under the smooth tracker, its ZMP inside the bounds of the stance sole; by its DCM and its mirror image x - T_c v.
   constexpr int kPieces = 16;
-  const double dt = time / kPieces, catch_up = -std::expm1(-dt / settings_.tracker_time) / dt;
-  PendulumState free{(in.com - out_.origin).dot(ahead_of(out_.heading)), v}, held = free;
+  const double Tc = pendulum_.Tc(), dt = time / kPieces, grow = std::exp(dt / Tc);
+  const double catch_up = -std::expm1(-dt / settings_.tracker_time) / dt;
+  const Vec2 ahead = ahead_of(out_.heading);
+  const PendulumState now{(in.com - out_.origin).dot(ahead), in.dcom.dot(ahead)};
+  double xi = now.x + Tc * now.v, mirror = now.x - Tc * now.v;
   for (int k = 0; k < kPieces; ++k) {
+    const double x = 0.5 * (xi + mirror), v = (xi - mirror) / (2.0 * Tc);
     const double v_plan = plan_.velocity(in.t + (k + 0.5) * dt).x();
-    const auto reference = [&](const PendulumState& s) {
-      return pendulum_.reference_for(s.x, catch_up * (v_plan - s.v));
-    };
-    free = pendulum_.step(dt, free, reference(free));
-    held = pendulum_.step(dt, held, std::clamp(reference(held), out_.room.lower.x(), out_.room.upper.x()));
+    const double r = std::clamp(pendulum_.reference_for(x, catch_up * (v_plan + in.catch_up - v)),
+                                out_.room.lower.x(), out_.room.upper.x());
+    xi = r + (xi - r) * grow;
+    mirror = r + (mirror - r) / grow;
   }
-  return pendulum_.dcm(held) - pendulum_.dcm(free);
+  const double t_mid = in.t + time;
+  return xi - (now.x + plan_.displacement(in.t, t_mid).x() + Tc * plan_.velocity(t_mid).x());
 }
 
 void GaitGenerator::move_sideways(const GaitInput& in) {
@@ -232,8 +236,9 @@ void GaitGenerator::move_sideways(const GaitInput& in) {
                  footsteps_.close(out_.swing, foot, in.dcom, pendulum_.Tc());
     }
     const double aside = lateral_.miss(pendulum_, xi, xi_end(footsteps_.planned(out_.swing, t_mid, period_).p), time);
-    out_.foothold = footsteps_.update(in.dcom, held_back(in, time), aside, t_mid, period_, pendulum_.Tc(),
+    out_.foothold = footsteps_.update(ahead_of_plan(in, time), aside, t_mid, period_,
                                       out_.phase.time / out_.phase.duration, dt);
+    out_.stretch = footsteps_.stretch(foot, t_mid) + 0.5 * schedule_.times().T_ds * out_.v_plan.head<2>().norm();
   }
   if (lateral_.awaits_switch()) {
     if (single) return;

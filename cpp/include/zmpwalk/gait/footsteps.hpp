@@ -28,8 +28,8 @@ struct SoleSize {
 /// A path runs from the start with the planned velocity; a foot lands half its stance's travel ahead, half a width beside it, along
 /// the path's heading there. Lengths are leads over the stance foot: a list of the user's or the paper's, or from the profile.
 /// Along the heading, the anchor is the measured stance foot ("paper", "printed", "list"), the plan itself ("absolute"), or the
-/// COM ("tied"): x_T = x + planned travel until the middle of the next double support + T_c (v - v_plan) + L/2 - com_lead, clamped about
-/// the nominal foothold and low-passed, until `foothold_freeze` of the single support. Sideways it is the path, and what the DCM
+/// COM ("tied"): x_T = xi - T_c v_plan + L/2 - com_lead, where the pendulum, its ZMP inside the bounds, has its DCM xi in the middle of
+/// the next double support; clamped about the nominal foothold and low-passed, until `foothold_freeze` of the single support. Sideways it is the path, and what the DCM
 /// will be off its orbit. Feet never come closer than the soles' corners and `foot_clearance` allow.
 class FootstepPlanner {
  public:
@@ -62,13 +62,13 @@ class FootstepPlanner {
 
   /// Foothold for this cycle, tied to the COM where that is the setting.
   ///
-  /// @param dcom   velocity of the COM, W (2,) [m/s]
   /// @param ahead_of_plan, aside  what the DCM will miss, along the heading and along the left [m]
   /// @param t_mid  middle of the next double support [s]   @param share of the single support that has gone by
-  const Foothold& update(const Vec2& dcom, double ahead_of_plan, double aside, double t_mid, double period, double Tc,
-                         double share, double dt);
+  const Foothold& update(double ahead_of_plan, double aside, double t_mid, double period, double share, double dt);
 
   const Foothold& target() const { return target_; }
+  /// Larger distance of both feet from below their hips in the middle of the next double support, at `t_mid` [m].
+  double stretch(const Foothold& stance, double t_mid) const;
 
   /// Largest difference between the speed of the feet and the planned one over `steps` steps [m/s]; 0 where the profile sets the steps.
   double mismatch(int steps, double period) const;

@@ -18,6 +18,7 @@ struct GaitInput {
   Vec2 com = Vec2::Zero(), dcom = Vec2::Zero();                    ///< "current" COM state of (16), (17), W [m, m/s]
   std::array<Vec3, 2> p_sole{Vec3::Zero(), Vec3::Zero()};          ///< sole centres, W [m]
   std::array<Mat3, 2> R_sole{Mat3::Identity(), Mat3::Identity()};  ///< sole orientations
+  double catch_up = 0.0;  ///< speed beside the planned one that the tracker asks for [m/s]
   /// Height at which the swing sole meets the ground [m]; NaN: the stance sole's, which the load has sunk into a soft contact.
   double ground = kNaN;
 };
@@ -38,6 +39,7 @@ struct GaitOutput {
   Vec2 zmp_rest = Vec2::Zero();  ///< at rest: reference ZMP, W [m]
   double w_T = kNaN;             ///< Eq. 18 in double support before the switch [m/s], else NaN
   Foothold foothold;             ///< of the swing foot; NaN in double support
+  double stretch = 0.0;          ///< how far an ankle will be from below its hip around the next double support [m]; 0 before lift-off
   SwingTarget swing_target;      ///< meaningful in single support
 };
 
@@ -81,9 +83,8 @@ class GaitGenerator {
   void begin_walk(const GaitInput& in);
   void move_sideways(const GaitInput& in);
   ZmpBounds room(const GaitInput& in) const;
-  /// By how much the bounds of the stance sole keep the DCM along the heading from following a plan that changes before the
-  /// middle of the next double support, `time` [s] away: where it will be, less where the plan has it [m].
-  double held_back(const GaitInput& in, double time) const;
+  /// Where the DCM along the heading will be in the middle of the next double support, `time` [s] away, less where the plan has it [m].
+  double ahead_of_plan(const GaitInput& in, double time) const;
 
   WalkSettings settings_;
   Cadence cadence_;

@@ -29,6 +29,8 @@ class VelocityTracker {
   Drive drive() const { return drive_; }
   /// Smooth law: acceleration [m/s^2] for planned velocity `v_plan` and current velocity `v` [m/s].
   double acceleration(double v_plan, double v) const;
+  /// Smooth law: what it adds to v_plan, -k I within `reach` [m/s].
+  double catch_up() const;
   /// Adds one cycle to the integral and, for the bang-bang law, takes the next mode.
   void advance(double v_des, double v_plan, double dt);
 
