@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-__all__ = ["Window", "bound_excess", "midstance_offset", "switch_times", "zmp_error", "zmp_windows"]
+__all__ = ["Window", "bound_excess", "midstance_offset", "switch_times", "yaw_moment", "zmp_error", "zmp_windows"]
 
 
 class Window(NamedTuple):
@@ -77,3 +77,17 @@ def bound_excess(trace: Any, single_support: bool = True) -> np.ndarray:
     """How far the estimated ZMP was beyond its designed bounds, each cycle and axis (n, 2) [m]; negative inside."""
     excess = np.maximum(trace.zmp_est - trace.zmp_upper, trace.zmp_lower - trace.zmp_est)
     return np.asarray(excess[trace.phase == 1] if single_support else excess)
+
+
+def yaw_moment(trace: Any) -> np.ndarray:
+    """Vertical moment of the ground on the robot about the measured ZMP, what turns it on its feet (n,) [N m].
+
+    Cycles with contact only.
+    """
+    moment = np.zeros(len(trace.t))
+    for i, foot in enumerate((trace.foot_left, trace.foot_right)):
+        # contact_wrench is the robot's on the ground, at the sole's centre; NaN in the air
+        force, own = -np.nan_to_num(trace.contact_wrench[:, 6 * i : 6 * i + 6]).reshape(-1, 2, 3).swapaxes(0, 1)
+        arm = foot[:, :2] - trace.zmp_meas
+        moment += own[:, 2] + arm[:, 0] * force[:, 1] - arm[:, 1] * force[:, 0]
+    return moment[np.isfinite(moment)]

@@ -18,6 +18,7 @@ from .errors import DimensionError, Error, InputError, ModelError
 
 if TYPE_CHECKING:
     from ._core import RobotDescription, WalkSettings
+    from .motion import JointMotion
     from .profiles import VelocityProfile
 
 __all__ = ["FORMAT_VERSION", "Trace"]
@@ -153,6 +154,14 @@ class Trace(Mapping):
         from .profiles import VelocityProfile
 
         return VelocityProfile.from_dict(self._meta("profile"))
+
+    @property
+    def motion(self) -> JointMotion | None:
+        """What arms, waist and trunk did meanwhile; None where they stood."""
+        from .motion import JointMotion
+
+        motion = self.meta.get("motion")
+        return None if motion is None else JointMotion.from_dict(motion)
 
     @property
     def settings(self) -> WalkSettings:
