@@ -15,6 +15,7 @@ __all__: list[str] = [
     "Foot",
     "GaitGenerator",
     "GaitOutput",
+    "JointMotion",
     "LinearInvertedPendulum",
     "Recorder",
     "ReferenceResult",
@@ -41,6 +42,7 @@ __all__: list[str] = [
     "pd_acceleration",
     "simulate",
     "solve_reference",
+    "yaw_momentum",
     "zmp_bounds",
     "zmp_of_wrench",
 ]
@@ -72,7 +74,7 @@ class WalkSettings:
             tracker_time: smooth tracker: time in which a speed error is removed; NaN: 0.18 T_c [s]. Default nan.
             tracker_deadband: bang-bang tracker: integrated error that counts as zero before a drive starts [m]. Default 0.0002.
             zmp_modification: keep the estimated ZMP inside its bounds (III-B, III-C); False: track v_plan blindly. Default True.
-            iteration: how the reference ZMP is found: 'closed_form' or 'loop' (III-B). Default 'closed_form'.
+            iteration: how the reference ZMP is found: 'closed_form' or 'loop' (III-B), or 'none': the desired ZMP as the pendulum has it, the estimate changes nothing. Default 'closed_form'.
             zmp_threshold: |desired - estimated ZMP| at which the loop ends (section IV) [m]. Default 0.001.
             max_iterations: bound of the loop. Default 200.
             sole_fraction: share of the sole that the ZMP may use. Default 0.72.
@@ -103,6 +105,10 @@ class WalkSettings:
             trunk_kd: trunk orientation [1/s]. Default nan.
             posture_kp: joints that are in no leg [1/s^2]. Default nan.
             posture_kd: joints that are in no leg [1/s]. Default nan.
+            motion_blend: time in which a joint motion takes over from the reference before it; NaN: 1.8 T_c [s]. Default nan.
+            momentum_arms: share of the yaw momentum of legs and trunk that the arms swing to cancel, 0 to 1; joints that a motion names do not swing. Default 0.0.
+            momentum_kp: swinging arms: spring to the posture [1/s^2]. Default nan.
+            momentum_kd: swinging arms: rate at which the robot's yaw momentum is brought to zero [1/s]. Default nan.
             posture_task: stack the posture of waist and arms. Default True.
             wrench_distribution: share the load of two standing feet; False: minimum-norm torque. Default True.
             contact_damping: damping of the velocity of a standing foot that does not carry the ZMP: without load it would drift off the ground [1/s]. Default 100.0.
@@ -306,7 +312,7 @@ class WalkSettings:
     @property
     def iteration(self) -> typing.Any:
         """
-        how the reference ZMP is found: 'closed_form' or 'loop' (III-B)
+        how the reference ZMP is found: 'closed_form' or 'loop' (III-B), or 'none': the desired ZMP as the pendulum has it, the estimate changes nothing
         """
     @iteration.setter
     def iteration(self, arg1: typing.Any) -> None: ...
@@ -343,6 +349,34 @@ class WalkSettings:
         """
     @max_iterations.setter
     def max_iterations(self, arg1: typing.Any) -> None: ...
+    @property
+    def momentum_arms(self) -> typing.Any:
+        """
+        share of the yaw momentum of legs and trunk that the arms swing to cancel, 0 to 1; joints that a motion names do not swing
+        """
+    @momentum_arms.setter
+    def momentum_arms(self, arg1: typing.Any) -> None: ...
+    @property
+    def momentum_kd(self) -> typing.Any:
+        """
+        swinging arms: rate at which the robot's yaw momentum is brought to zero [1/s]
+        """
+    @momentum_kd.setter
+    def momentum_kd(self, arg1: typing.Any) -> None: ...
+    @property
+    def momentum_kp(self) -> typing.Any:
+        """
+        swinging arms: spring to the posture [1/s^2]
+        """
+    @momentum_kp.setter
+    def momentum_kp(self, arg1: typing.Any) -> None: ...
+    @property
+    def motion_blend(self) -> typing.Any:
+        """
+        time in which a joint motion takes over from the reference before it; NaN: 1.8 T_c [s]
+        """
+    @motion_blend.setter
+    def motion_blend(self, arg1: typing.Any) -> None: ...
     @property
     def posture_kd(self) -> typing.Any:
         """
@@ -881,6 +915,52 @@ class Robot:
         how each joint's torque reaches MuJoCo, by joint name: "motor 'l_knee'", "qfrc_applied: position servo 'l_knee' is silenced", ...
         """
 
+class JointMotion:
+    """
+    Scripted references of joints and trunk: a cubic spline with continuous acceleration.
+    """
+    def __init__(
+        self,
+        t: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"],
+        names: collections.abc.Sequence[str],
+        q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"],
+    ) -> None:
+        """
+        Args:
+            t: knot times (n,) [s], from 0, increasing.
+            names: joint of each column (m,).
+            q: positions at the knots (n, m) [rad or m].
+
+        Raises:
+            InputError, DimensionError.
+        """
+    def at(
+        self, t: typing.SupportsFloat | typing.SupportsIndex
+    ) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"]:
+        """
+        Position, velocity and acceleration (3, m) at time t [s]; the last position holds.
+        """
+    @property
+    def duration(self) -> float:
+        """
+        Time of the last knot [s].
+        """
+    @property
+    def names(self) -> list[str]:
+        """
+        Joint of each column.
+        """
+    @property
+    def q(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"]:
+        """
+        Positions at the knots (n, m) [rad or m].
+        """
+    @property
+    def t(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+        """
+        Knot times (n,) [s].
+        """
+
 class ContactSpace:
     """
     The contact space of the feet that stand: eq. 2 and 10-13.
@@ -1120,6 +1200,10 @@ class WholeBodyController:
     def solve(self, f_xy: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"]) -> WholeBodyResult:
         """
         Torque for horizontal COM acceleration (2,) [m/s^2].
+        """
+    def yaw_moment(self, f_xy: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"]) -> float:
+        """
+        Vertical moment of the ground on the robot about its COM, d/dt L_z, for COM acceleration (2,) [N m].
         """
     def zmp(
         self, f_xy: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"]
@@ -1664,6 +1748,10 @@ class WalkingController:
         """
         Share of the knee's torque limit that its own rotor and damping take at lift-off, walking at speed [m/s].
         """
+    def move(self, motion: JointMotion) -> None:
+        """
+        Joints outside the legs, and the trunk, follow `motion` from now on; see the package's WalkingController.
+        """
     def plan(
         self,
         duration: typing.SupportsFloat | typing.SupportsIndex = 3.2,
@@ -1722,6 +1810,11 @@ class WalkingController:
         sqrt(z_c / g) [s]
         """
     @property
+    def arm_joints(self) -> list[str]:
+        """
+        joints outside the legs that carry less than a fifth of the robot's mass: arms, not the waist
+        """
+    @property
     def com_height(self) -> float:
         """
         z_c over the soles [m]
@@ -1735,6 +1828,8 @@ class WalkingController:
         """
         [kg]
         """
+    @property
+    def motion(self) -> JointMotion: ...
     @property
     def profile(self) -> VelocityProfile: ...
     @property
@@ -1900,6 +1995,11 @@ def solve_reference(
 ) -> ReferenceResult:
     """
     The fixed point of that loop in closed form, for an affine estimate.
+    """
+
+def yaw_momentum(dynamics: Dynamics) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+    """
+    Row c (nv,) of the angular momentum about the vertical through the COM, L_z = c dq [kg m^2/s].
     """
 
 def zmp_bounds(
