@@ -88,15 +88,17 @@ def yaw_walk(speed, share):
 def yaw_rows():
     """Cells of the second table."""
     for speed in YAW_SPEEDS:
-        peak, rms = [], []
+        peak, rms, turning = [], [], []
         for share in (0.0, 1.0):
             trace, moment, touching = yaw_walk(speed, share)
             moment = moment[trace.t[touching] > YAW_START]
             peak.append(np.abs(moment).max())
             rms.append(np.sqrt(np.mean(moment**2)))
+            about_com = analysis.yaw_moment(trace, about="com")[trace.t[touching] > YAW_START]
+            turning.append(np.sqrt(np.mean(about_com**2)))
         yield (
             f"{speed:g}", *(f"{values[0]:.1f} → {values[1]:.1f} ({100 * (values[1] / values[0] - 1):+.0f} %)"
-                            for values in (peak, rms)),
+                            for values in (peak, rms, turning)),
             f"{np.ptp(shoulders(trace)[trace.t > YAW_START, 0]):.2f}",
         )  # fmt: skip
 
@@ -146,7 +148,7 @@ def main():
     lines += table(
         ("arms", "III-B", "falls", "speed error, %", "estimate beyond bounds", "desired − CoP, median", "p95"), motions
     )
-    yaw = table(("m/s", "peak, N m", "RMS, N m", "shoulder swings, rad"), yaw_rows())
+    yaw = table(("m/s", "peak, N m", "RMS, N m", "RMS about the COM, N m", "shoulder swings, rad"), yaw_rows())
     number = mujoco.__version__[0]
     if args.page:
         write_blocks(args.page, {f"MuJoCo {number}": lines, f"yaw, MuJoCo {number}": yaw})
