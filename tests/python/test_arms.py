@@ -215,6 +215,16 @@ def test_momentum_arms_keep_the_walk_and_leave_to_a_motion_what_it_names():
     assert np.ptp(joints(trace, "r_shoulder_pitch")[late]) > 0.2
 
 
+def test_momentum_arms_let_the_robot_turn():
+    """Its momentum of turning as one body is left alone: cancelled, it would hold one arm ahead of the other."""
+    profile = VelocityProfile.piecewise([(0, 0.1), (1, (0.2, 0, 0.4))])
+    trace = zmpwalk.simulate("mahru", profile, 10.0, WalkSettings(momentum_arms=1.0))
+    assert not trace.meta["fell"]
+    left, right = joints(trace, "l_shoulder_pitch", "r_shoulder_pitch")[trace.t > 5.0].T
+    assert np.ptp(left) > 0.2
+    assert abs(np.mean(left - right)) < 0.15
+
+
 def test_momentum_arms_ask_for_a_share_and_for_arms():
     for share in (1.5, -0.1, math.nan):
         with pytest.raises(InputError, match="momentum_arms"):
