@@ -107,8 +107,19 @@ void bind_walking_controller(py::module_& m) {
           "settings", [](const WalkingController& c) { return c.settings(); },
           "WalkSettings in force, every NaN filled in")
       .def_property_readonly("profile", &WalkingController::profile)
+      .def("move", &WalkingController::move, "motion"_a,
+           "Joints outside the legs, and the trunk, follow `motion` from now on; see the package's WalkingController.")
+      .def_property_readonly("motion", &WalkingController::motion)
       .def_property_readonly("description", [](const WalkingController& c) { return c.robot().description(); })
       .def_property_readonly("joint_names", [](const WalkingController& c) { return c.robot().joint_names(); })
+      .def_property_readonly(
+          "arm_joints",
+          [](const WalkingController& c) {
+            std::vector<std::string> names;
+            for (const int j : c.robot().arm_joints()) names.push_back(c.robot().joint_names()[j]);
+            return names;
+          },
+          "joints outside the legs that carry less than a fifth of the robot's mass: arms, not the waist")
       .def_property_readonly(
           "torque_path", [](const WalkingController& c) { return torque_path(c.robot()); },
           "how each joint's torque reaches MuJoCo, by joint name: \"motor 'l_knee'\", \"qfrc_applied: position servo "

@@ -74,6 +74,9 @@ void bind_whole_body(py::module_& m) {
       .def(
           "zmp", [](const PyWholeBody& c, const Vec2& f_xy) { return c.zmp(f_xy); }, "f_xy"_a,
           "ZMP in W (2,) [m] for horizontal COM acceleration (2,) [m/s^2]; affine.")
+      .def(
+          "yaw_moment", [](const PyWholeBody& c, const Vec2& f_xy) { return c.yaw_moment(f_xy); }, "f_xy"_a,
+          "Vertical moment of the ground on the robot about its COM, d/dt L_z, for COM acceleration (2,) [N m].")
       .def_property_readonly(
           "zmp_slope", [](const PyWholeBody& c) { return c.zmp_slope(); }, "d zmp / d f_xy (2, 2) [s^2]")
       .def(

@@ -44,6 +44,7 @@ class PythonProgress {
 void bind_errors(py::module_& m);
 void bind_settings(py::module_& m);
 void bind_velocity_profile(py::module_& m);
+void bind_joint_motion(py::module_& m);
 void bind_description(py::module_& m);
 void bind_dynamics(py::module_& m);
 void bind_contact_space(py::module_& m);

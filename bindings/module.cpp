@@ -7,6 +7,7 @@ PYBIND11_MODULE(_core, m) {
   bind_velocity_profile(m);
   bind_description(m);
   bind_dynamics(m);
+  bind_joint_motion(m);
   bind_contact_space(m);
   bind_task_space(m);
   bind_whole_body(m);

@@ -39,8 +39,8 @@ constexpr std::array<std::pair<ComState, const char*>, 2> kComState{
     {{ComState::kMeasured, "measured"}, {ComState::kDesired, "desired"}}};
 constexpr std::array<std::pair<TrackerLaw, const char*>, 2> kTracker{
     {{TrackerLaw::kSmooth, "smooth"}, {TrackerLaw::kBangBang, "bang_bang"}}};
-constexpr std::array<std::pair<Iteration, const char*>, 2> kIteration{
-    {{Iteration::kClosedForm, "closed_form"}, {Iteration::kLoop, "loop"}}};
+constexpr std::array<std::pair<Iteration, const char*>, 3> kIteration{
+    {{Iteration::kClosedForm, "closed_form"}, {Iteration::kLoop, "loop"}, {Iteration::kNone, "none"}}};
 
 }  // namespace
 
@@ -138,6 +138,8 @@ WalkSettings resolve(const WalkSettings& settings, const RobotScale& robot, doub
   gains(s.trunk_kp, s.trunk_kd, 300.0, 35.0);
   gains(s.swing_kp, s.swing_kd, 3600.0, 120.0);
   gains(s.posture_kp, s.posture_kd, 100.0, 20.0);
+  gains(s.momentum_kp, s.momentum_kd, 20.0, 20.0);
+  fill(s.motion_blend, 1.8 * Tc);
   fill(s.step_width, robot.foot_distance);
   // Rotor and damping take at most this share of the knee's torque, as long as that leaves a step of the least height.
   constexpr double kKneeShare = 0.6, kLeastHeight = 0.01;
@@ -177,12 +179,15 @@ WalkSettings resolve(const WalkSettings& settings, const RobotScale& robot, doub
                                     {"forward_deceleration", s.forward_deceleration},
                                     {"sideways_acceleration", s.sideways_acceleration},
                                     {"turning_acceleration", s.turning_acceleration},
+                                    {"motion_blend", s.motion_blend},
                                     {"friction_velocity", s.friction_velocity},
                                     {"fall_height", s.fall_height},
                                     {"fall_tilt", s.fall_tilt},
                                     {"fall_foot_tilt", s.fall_foot_tilt},
                                     {"singular_damping", s.singular_damping}})
     require_positive(name, value);
+  if (s.momentum_arms > 1.0)
+    throw InputError("momentum_arms = " + std::to_string(s.momentum_arms) + "; it must be in 0..1");
   if (s.max_iterations < 1)
     throw InputError("max_iterations = " + std::to_string(s.max_iterations) + "; it must be at least 1");
   visit_settings(s, [](const char* name, auto& value, const char*, const char*) {

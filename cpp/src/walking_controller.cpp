@@ -3,7 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
+#include "zmpwalk/control/momentum.hpp"
 #include "zmpwalk/math/error.hpp"
 #include "zmpwalk/math/rotation.hpp"
 #include "zmpwalk/zmp/reference_iteration.hpp"
@@ -65,6 +67,8 @@ ZmpBounds bounds_of(const Robot& robot, Side side, const WalkSettings& settings)
   return zmp_bounds(limits, dyn.mass * dyn.gravity.norm(), settings.sole_fraction, settings.ankle_torque_fraction);
 }
 
+constexpr std::array<const char*, 3> kTrunkNames{"trunk_roll", "trunk_pitch", "trunk_yaw"};
+
 }  // namespace
 
 std::string to_string(Fall fall) {
@@ -88,6 +92,7 @@ std::string to_string(Fall fall) {
 WalkingController::WalkingController(const mjModel* model, const RobotDescription& description,
                                      const WalkSettings& settings, const VelocityProfile& profile)
     : robot_(model, with_limits(description, settings.torque_limits)),
+      reference_((VecX(robot_.joints() + 3) << robot_.stand(), Vec3::Zero()).finished()),
       profile_(profile),
       com_height_(stand_height(robot_.dynamics())),
       sole_(sole_of(description)),
@@ -108,11 +113,17 @@ WalkingController::WalkingController(const mjModel* model, const RobotDescriptio
       kd_(settings_.com_x_kd, settings_.com_y_kd),
       R_S_(Mat2::Identity()),
       R_H_(Mat2::Identity()),
+      swinging_(robot_.arm_joints()),
+      c_(VecX::Zero(robot_.nv())),
       result_(whole_body_.result()),
       J_c_(RowMatX::Zero(12, robot_.nv())),
       drift_c_(VecX::Zero(12)) {
   if (model->opt.disableflags & (mjDSBL_CONTACT | mjDSBL_CONSTRAINT))
     throw ModelError("the model's option flags switch contacts off; walking needs them");
+  if (settings_.momentum_arms > 0.0 && (swinging_.empty() || !settings_.posture_task))
+    throw InputError("momentum_arms = " + std::to_string(settings_.momentum_arms) +
+                     " needs the posture task and joints outside the legs that carry less than a fifth of the robot; 0 "
+                     "does without");
   robot_.friction_velocity = settings_.friction_velocity;
   ticks_per_cycle_ = static_cast<int>(std::lround(settings_.control_dt / model->opt.timestep));
   f_star_.posture = VecX::Zero(robot_.joints());
@@ -141,8 +152,8 @@ double WalkingController::reach(double crouch) const {
   double least = std::numeric_limits<double>::infinity();
   for (const Side side : kSides) {
     const RobotLeg leg = robot_.leg_at_stand(side);
-    const double length_2 = leg.thigh * leg.thigh + leg.shank * leg.shank +
-                            2.0 * leg.thigh * leg.shank * std::cos(settings_.least_knee);
+    const double length_2 =
+        leg.thigh * leg.thigh + leg.shank * leg.shank + 2.0 * leg.thigh * leg.shank * std::cos(settings_.least_knee);
     const double height = std::abs(leg.hip_to_ankle.y()) - crouch;
     least = std::min(least, std::sqrt(std::max(length_2 - height * height, 0.0)) - std::abs(leg.hip_to_ankle.x()));
   }
@@ -294,7 +305,49 @@ void WalkingController::reset(const mjData* data) {
   const Vec3 forward = dyn.sole[kLeft].R_WF.col(0) + dyn.sole[kRight].R_WF.col(0);
   R_HB_ = rotation_z(std::atan2(forward.y(), forward.x())).transpose() * dyn.R_WB;
   for (const Side side : kSides) up_[side] = dyn.sole[side].R_WF.col(2);
+  reference_.reset();
+  f_xy_.setZero();
   started_ = true;
+}
+
+int WalkingController::coordinate(const std::string& name) const {
+  std::string known;
+  for (int j = 0; j < robot_.joints(); ++j) {
+    if (robot_.is_leg_joint(j)) {
+      if (robot_.joint_names()[j] == name)
+        throw InputError("the motion moves '" + name + "', a joint of a leg: the walk moves those");
+      continue;
+    }
+    if (robot_.joint_names()[j] == name) return j;
+    known += robot_.joint_names()[j] + ", ";
+  }
+  for (int i = 0; i < 3; ++i)
+    if (name == kTrunkNames[i]) return robot_.joints() + i;
+  throw InputError("the motion moves '" + name + "', which this robot does not have; there are: " + known +
+                   "trunk_roll, trunk_pitch, trunk_yaw");
+}
+
+void WalkingController::move(const JointMotion& motion) {
+  if (!settings_.posture_task && !motion.names().empty())
+    throw InputError("posture_task is off: nothing would follow a motion");
+  std::vector<int> entry;
+  for (const std::string& name : motion.names()) {
+    const int i = coordinate(name);
+    const double tilt = 0.5 * settings_.fall_tilt;
+    const auto [low, high] = i < robot_.joints() ? robot_.joint_range(i) : std::make_pair(-tilt, tilt);
+    const JointMotion::Extent extent = motion.extent(static_cast<int>(entry.size()));
+    const bool below = extent.low < low;
+    if (below || extent.high > high)
+      throw InputError("the motion brings '" + name + "' to " + std::to_string(below ? extent.low : extent.high) +
+                       " rad at t = " + std::to_string(below ? extent.t_low : extent.t_high) + " s; its range is " +
+                       std::to_string(low) + " to " + std::to_string(high) +
+                       " rad, between the knots of the spline too");
+    entry.push_back(i);
+  }
+  reference_.start(motion, std::move(entry), settings_.motion_blend);
+  swinging_.clear();
+  for (const int j : robot_.arm_joints())
+    if (!reference_.names(j)) swinging_.push_back(j);
 }
 
 const CycleOutput& WalkingController::update(mjData* data, Terms terms) {
@@ -347,10 +400,12 @@ const CycleOutput& WalkingController::update(mjData* data, Terms terms) {
     out_.foot[side] << dyn.sole[side].p_WF, q.w(), q.x(), q.y(), q.z();
   }
 
+  reference_.update(t);
   task_accelerations(gait);
   stance_.standing = gait.standing;
   stance_.support = gait.support;
   stance_.lateral << -std::sin(gait.heading), std::cos(gait.heading), 0.0;
+  if (settings_.momentum_arms > 0.0) swing_arms(gait);
   whole_body_.prepare(dyn, stance_, f_star_);
   choose_reference(gait);
   whole_body_.solve(f_xy_, result_);
@@ -365,14 +420,21 @@ const CycleOutput& WalkingController::update(mjData* data, Terms terms) {
 void WalkingController::task_accelerations(const GaitOutput& gait) {
   const Dynamics& dyn = robot_.dynamics();
   const WalkSettings& s = settings_;
-  f_star_.com.z() = pd_acceleration(s.com_z_kp, s.com_z_kd, ground_ + com_height_ - crouch_ - dyn.com.z(),
-                                    -dcrouch_ - dyn.dcom.z()) -
-                    ddcrouch_;
-  const Mat3 R_des = rotation_z(gait.heading) * R_HB_;
-  const Vec3 turning(0.0, 0.0, gait.v_plan.z());
-  f_star_.trunk =
-      pd_acceleration(s.trunk_kp, s.trunk_kd, orientation_error(R_des, dyn.R_WB), Vec3(turning - dyn.omega_WB));
-  f_star_.posture = pd_acceleration(s.posture_kp, s.posture_kd, robot_.stand() - dyn.q, -dyn.dq.tail(dyn.joints()));
+  f_star_.com.z() =
+      pd_acceleration(s.com_z_kp, s.com_z_kd, ground_ + com_height_ - crouch_ - dyn.com.z(), -dcrouch_ - dyn.dcom.z()) -
+      ddcrouch_;
+  const int n = dyn.joints();
+  const auto& [q_ref, dq_ref, ddq_ref] = std::tie(reference_.q(), reference_.dq(), reference_.ddq());
+  const auto angle = [&](int i) { return Motion1{q_ref[n + i], dq_ref[n + i], ddq_ref[n + i]}; };
+  const Turning trunk = turning(angle(0), angle(1), angle(2));
+  const Mat3 R_WH = rotation_z(gait.heading);
+  const Vec3 heading_rate(0.0, 0.0, gait.v_plan.z());
+  f_star_.trunk = R_WH * trunk.alpha + heading_rate.cross(R_WH * trunk.omega);
+  f_star_.trunk += pd_acceleration(s.trunk_kp, s.trunk_kd, orientation_error(R_WH * trunk.R * R_HB_, dyn.R_WB),
+                                   Vec3(R_WH * trunk.omega + heading_rate - dyn.omega_WB));
+  f_star_.posture = ddq_ref.head(n);
+  f_star_.posture +=
+      pd_acceleration(s.posture_kp, s.posture_kd, q_ref.head(n) - dyn.q, dq_ref.head(n) - dyn.dq.tail(n));
   if (gait.phase.phase == Phase::kDoubleSupport) return;
   const SoleState& sole = dyn.sole[gait.swing];
   const SwingTarget& target = gait.swing_target;
@@ -383,6 +445,32 @@ void WalkingController::task_accelerations(const GaitOutput& gait) {
   if (s.swing_feed_forward) {
     f_star_.swing.head<3>() += target.a;
     f_star_.swing.tail<3>() += target.alpha;
+  }
+}
+
+void WalkingController::swing_arms(const GaitOutput& gait) {
+  // dL_z = c_a ddq_a + what the rest does while the arms keep their speed; the arms cancel the latter and bring L_z to zero
+  // with k_d: ddq_a = -c_a+ dL_rest + k_d (-c_a+ L_rest - dq_a) + k_p (q_ref - q_a).
+  const Dynamics& dyn = robot_.dynamics();
+  const double kp = settings_.momentum_kp, kd = settings_.momentum_kd;
+  for (const int j : swinging_) f_star_.posture[j] = 0.0;
+  whole_body_.prepare(dyn, stance_, f_star_);
+  yaw_momentum_row(dyn, c_);
+  // A robot that turns as planned keeps the momentum of turning as one body.
+  double L_rest = c_.dot(dyn.dq) - gait.v_plan.z() * c_.segment<3>(3).dot(dyn.R_WB.row(2)), square = 0.0;
+  for (const int j : swinging_) {
+    L_rest -= c_[6 + j] * dyn.dq[6 + j];
+    square += c_[6 + j] * c_[6 + j];
+  }
+  if (!(square > 0.0)) return;
+  const double dL_rest = whole_body_.yaw_moment(f_xy_), share = -settings_.momentum_arms / square;
+  for (const int j : swinging_) {
+    const double q = dyn.q[j], dq = dyn.dq[6 + j], c_inv = share * c_[6 + j];
+    const double ddq = reference_.ddq()[j] + c_inv * dL_rest +
+                       pd_acceleration(kp, kd, reference_.q()[j] - q, reference_.dq()[j] + c_inv * L_rest - dq);
+    // A limit is approached as a critically damped joint would.
+    const auto [low, high] = robot_.joint_range(j);
+    f_star_.posture[j] = std::clamp(ddq, kd * (0.25 * kd * (low - q) - dq), kd * (0.25 * kd * (high - q) - dq));
   }
 }
 
@@ -410,15 +498,17 @@ void WalkingController::choose_reference(const GaitOutput& gait) {
   const bool smooth = tracker_.law() == TrackerLaw::kSmooth && settings_.zmp_modification;
   const Vec2 com = gait.origin + R_S_ * x_, dcom = R_S_ * v_;
   Vec2 r = R_S_.transpose() * (reference_zmp(gait, pendulum_, tracker_, com, dcom) - gait.origin);
+  // Without III-B nobody asks the whole body: the ZMP is where the pendulum has it.
+  const bool estimates = settings_.iteration != Iteration::kNone;
   Desired c = desired(r);
   if (!smooth && !gait.at_rest) {  // the desired velocity is the planned one, which stands: nothing to feed forward
     const double v_plan = (R_S_.transpose() * R_H_ * gait.v_plan.head<2>()).x();
-    r.x() = 0.0;
     c.x_d.x() = x_.x() + v_plan * dt;
     c.v_d.x() = v_plan;
     c.f.x() = pd_acceleration(kp_.x(), kd_.x(), c.x_d.x() - x_meas_.x(), c.v_d.x() - v_meas_.x());
+    r.x() = estimates ? 0.0 : pendulum_.reference_for(x_.x(), c.f.x());
   }
-  Vec2 zmp = estimate_of(c.f);
+  Vec2 zmp = estimates ? estimate_of(c.f) : r;
   Vec2 wanted = zmp;
 
   const ZmpBounds& bounds = gait.room;
@@ -451,7 +541,9 @@ void WalkingController::choose_reference(const GaitOutput& gait) {
     };
     const Vec2 first = estimate(axes.cwiseProduct(wanted) + (Vec2::Ones() - axes).cwiseProduct(r));
     const ReferenceResult found =
-        settings_.iteration == Iteration::kLoop
+        !estimates
+            ? ReferenceResult{Vec2(axes.cwiseProduct(wanted) + (Vec2::Ones() - axes).cwiseProduct(r)), first, 1, false}
+        : settings_.iteration == Iteration::kLoop
             ? iterate_reference(estimate, wanted, r, axes, settings_.zmp_threshold, settings_.max_iterations)
             : solve_reference(estimate, wanted, r, axes, slope, settings_.zmp_threshold);
     const Desired modified = desired(found.zmp_ref);
@@ -468,8 +560,8 @@ void WalkingController::choose_reference(const GaitOutput& gait) {
   }
 
   f_xy_ = R_S_ * c.f;
-  out_.zmp_est = to_W(zmp);
-  out_.zmp_des = to_W(axes.cwiseProduct(wanted) + (Vec2::Ones() - axes).cwiseProduct(zmp));
+  out_.zmp_des = to_W(axes.cwiseProduct(wanted) + (Vec2::Ones() - axes).cwiseProduct(estimates ? zmp : r));
+  out_.zmp_est = to_W(estimates ? zmp : estimate_of(c.f));
   out_.zmp_ref = to_W(reference);
   out_.zmp_lower = to_W(bounds.lower);
   out_.zmp_upper = to_W(bounds.upper);

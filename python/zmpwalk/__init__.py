@@ -52,6 +52,7 @@ from .description import (
     load_robot,
     read_description,
 )
+from .motion import JointMotion
 from .profiles import VelocityProfile
 from .proposal import Proposal, propose
 from .settings import load_settings, settings_toml
@@ -67,6 +68,7 @@ __all__ = [
     "Foot",
     "GaitGenerator",
     "InputError",
+    "JointMotion",
     "LinearInvertedPendulum",
     "ModelError",
     "Proposal",

@@ -15,6 +15,7 @@ __all__: list[str] = [
     "Foot",
     "GaitGenerator",
     "GaitOutput",
+    "JointMotion",
     "LinearInvertedPendulum",
     "Recorder",
     "ReferenceResult",
@@ -41,6 +42,7 @@ __all__: list[str] = [
     "pd_acceleration",
     "simulate",
     "solve_reference",
+    "yaw_momentum",
     "zmp_bounds",
     "zmp_of_wrench",
 ]
@@ -67,17 +69,39 @@ class WalkSettings:
             T_ss: single support time; NaN: four fifths of the step period [s]. Default nan.
             T_ds_first: first double support; NaN: computed so that the lateral orbit starts symmetric [s]. Default nan.
             first_swing: foot that swings first, 'right' or 'left'. Default 'right'.
+            cadence_speed: speed up to which steps take T_ds + T_ss and grow longer; NaN: 0.1 of sqrt(g COM height) [m/s]. Default nan.
+            cadence_exponent: above it, steps take (cadence_speed / speed)^cadence_exponent of that; 0: always the same. Default 0.4.
+            cadence_double: and the double support's share of a step goes as (cadence_speed / speed)^cadence_double. Default 0.5.
+            cadence_sideways: what 1 m/s sideways counts as forward, for the cadence. Default 3.0.
+            cadence_turning: what 1 rad/s counts as forward, for the cadence; NaN: 0.54 of the COM height [m/rad]. Default nan.
+            stand: stand, feet side by side, while the profile is zero; False: step on the spot. Default True.
+            stand_gain: standing: how far the ZMP goes beyond the DCM, per distance from the middle. Default 1.0.
+            closing_reach: the last step goes beside the stance foot where the COM will rest this near; NaN: 0.06 of the COM height [m]. Default nan.
+            closing_turn: and where the headings of path and stance foot differ by no more [rad]. Default 0.05.
+            rate_limit: limit how fast the planned velocity changes; False: take profiles as they are. Default True.
+            forward_jump: change of v_x that passes at once; NaN: 0.036 of sqrt(g COM height) [m/s]. Default nan.
+            sideways_jump: change of v_y that passes at once; NaN: 0.03 of sqrt(g COM height) [m/s]. Default nan.
+            turning_jump: change of w_z that passes at once; NaN: 0.07 / T_c [rad/s]. Default nan.
+            forward_acceleration: at which v_x grows beyond that; NaN: 0.02 g [m/s^2]. Default nan.
+            forward_deceleration: at which v_x goes back to zero; NaN: 0.046 g [m/s^2]. Default nan.
+            sideways_acceleration: at which v_y follows beyond that; NaN: 0.025 g [m/s^2]. Default nan.
+            turning_acceleration: at which w_z follows beyond that; NaN: 0.08 / T_c^2 [rad/s^2]. Default nan.
             tracker: velocity tracker: 'smooth' or 'bang_bang' (III-C as printed). Default 'smooth'.
             tracker_gain: smooth tracker: speed asked for per metre of integrated error; NaN: 1.38 / T_c [1/s]. Default nan.
             tracker_time: smooth tracker: time in which a speed error is removed; NaN: 0.18 T_c [s]. Default nan.
             tracker_deadband: bang-bang tracker: integrated error that counts as zero before a drive starts [m]. Default 0.0002.
             zmp_modification: keep the estimated ZMP inside its bounds (III-B, III-C); False: track v_plan blindly. Default True.
-            iteration: how the reference ZMP is found: 'closed_form' or 'loop' (III-B). Default 'closed_form'.
+            iteration: how the reference ZMP is found: 'closed_form' or 'loop' (III-B), or 'none': the desired ZMP as the pendulum has it, the estimate changes nothing. Default 'closed_form'.
             zmp_threshold: |desired - estimated ZMP| at which the loop ends (section IV) [m]. Default 0.001.
             max_iterations: bound of the loop. Default 200.
             sole_fraction: share of the sole that the ZMP may use. Default 0.72.
+            sole_exponent: above cadence_speed the ZMP uses less of the sole's length, as (cadence_speed / speed)^sole_exponent: at its edges the contact chatters. Default 0.5.
             ankle_torque_fraction: share of the ankle's torque limit that may hold the ZMP. Default 0.9.
             bound_lateral: bound the lateral ZMP too; the paper bounds the sagittal one only. Default True.
+            least_knee: knee angle that the plan keeps: room for what it does not know, as swing leg and pelvis move the hips against the COM [rad]. Default 0.3.
+            crouch_limit: how far the COM may come down for long steps; NaN: 0.1 of its height [m]. Default nan.
+            crouch_margin: the COM comes down until the legs reach this many times as far as the feet are from the hips in double support. Default 1.2.
+            crouch_time: time constant of that; NaN: 0.5 T_c [s]. Default nan.
             com_state: 'current' COM state in (16), (17): 'measured' or 'desired' (the previous one). Default 'measured'.
             feed_forward: add the pendulum's acceleration to (8). Default True.
             com_x_kp: COM, forward; NaN: scaled with 1/T_c^2 [1/s^2]. Default nan.
@@ -91,6 +115,7 @@ class WalkSettings:
             footsteps: 'tied' to the COM, 'absolute', 'paper', 'printed' or 'list' (step_lengths). Default 'tied'.
             step_lengths: lead of each step over the stance foot, the last one repeated [m]. Default [].
             step_width: lateral distance of the feet; NaN: as they stand at the start [m]. Default nan.
+            foot_clearance: least distance of the soles' edges sideways; NaN: 0.03 of the COM height [m]. Default nan.
             step_height: height of the swing foot; NaN: 0.0535 of the COM height, less (to 0.01) where the knee's rotor and damping would take over 0.6 of its torque at the profile's top speed [m]. Default nan.
             foothold_reach: tied footholds: largest distance from the nominal foothold; NaN: 0.11 of the COM height [m]. Default nan.
             com_lead: tied footholds: how far the COM rides ahead of the middle of the feet, so that a foot is not loaded on its heel; NaN: 0.0134 of the COM height [m]. Default nan.
@@ -103,8 +128,13 @@ class WalkSettings:
             trunk_kd: trunk orientation [1/s]. Default nan.
             posture_kp: joints that are in no leg [1/s^2]. Default nan.
             posture_kd: joints that are in no leg [1/s]. Default nan.
+            motion_blend: time in which a joint motion takes over from the reference before it; NaN: 1.8 T_c [s]. Default nan.
+            momentum_arms: share of the yaw momentum of legs and trunk that the arms swing to cancel, 0 to 1; joints that a motion names do not swing. Default 0.0.
+            momentum_kp: swinging arms: spring to the posture [1/s^2]. Default nan.
+            momentum_kd: swinging arms: rate at which the robot's yaw momentum is brought to zero [1/s]. Default nan.
             posture_task: stack the posture of waist and arms. Default True.
             wrench_distribution: share the load of two standing feet; False: minimum-norm torque. Default True.
+            load_alone: double support: while the ZMP is this near to a sole's centre line, in half sole widths, that foot carries everything: a foot that just landed chatters under a light load. Default 0.7.
             contact_damping: damping of the velocity of a standing foot that does not carry the ZMP: without load it would drift off the ground [1/s]. Default 100.0.
             textbook: equations 1-13 as printed instead of the direct path: slower, the same numbers. Default False.
             singular_damping: damping of the motion where a leg is straight. Default 0.001.
@@ -163,6 +193,55 @@ class WalkSettings:
         """
     @bound_lateral.setter
     def bound_lateral(self, arg1: typing.Any) -> None: ...
+    @property
+    def cadence_double(self) -> typing.Any:
+        """
+        and the double support's share of a step goes as (cadence_speed / speed)^cadence_double
+        """
+    @cadence_double.setter
+    def cadence_double(self, arg1: typing.Any) -> None: ...
+    @property
+    def cadence_exponent(self) -> typing.Any:
+        """
+        above it, steps take (cadence_speed / speed)^cadence_exponent of that; 0: always the same
+        """
+    @cadence_exponent.setter
+    def cadence_exponent(self, arg1: typing.Any) -> None: ...
+    @property
+    def cadence_sideways(self) -> typing.Any:
+        """
+        what 1 m/s sideways counts as forward, for the cadence
+        """
+    @cadence_sideways.setter
+    def cadence_sideways(self, arg1: typing.Any) -> None: ...
+    @property
+    def cadence_speed(self) -> typing.Any:
+        """
+        speed up to which steps take T_ds + T_ss and grow longer; NaN: 0.1 of sqrt(g COM height) [m/s]
+        """
+    @cadence_speed.setter
+    def cadence_speed(self, arg1: typing.Any) -> None: ...
+    @property
+    def cadence_turning(self) -> typing.Any:
+        """
+        what 1 rad/s counts as forward, for the cadence; NaN: 0.54 of the COM height [m/rad]
+        """
+    @cadence_turning.setter
+    def cadence_turning(self, arg1: typing.Any) -> None: ...
+    @property
+    def closing_reach(self) -> typing.Any:
+        """
+        the last step goes beside the stance foot where the COM will rest this near; NaN: 0.06 of the COM height [m]
+        """
+    @closing_reach.setter
+    def closing_reach(self, arg1: typing.Any) -> None: ...
+    @property
+    def closing_turn(self) -> typing.Any:
+        """
+        and where the headings of path and stance foot differ by no more [rad]
+        """
+    @closing_turn.setter
+    def closing_turn(self, arg1: typing.Any) -> None: ...
     @property
     def com_lead(self) -> typing.Any:
         """
@@ -234,6 +313,27 @@ class WalkSettings:
     @control_dt.setter
     def control_dt(self, arg1: typing.Any) -> None: ...
     @property
+    def crouch_limit(self) -> typing.Any:
+        """
+        how far the COM may come down for long steps; NaN: 0.1 of its height [m]
+        """
+    @crouch_limit.setter
+    def crouch_limit(self, arg1: typing.Any) -> None: ...
+    @property
+    def crouch_margin(self) -> typing.Any:
+        """
+        the COM comes down until the legs reach this many times as far as the feet are from the hips in double support
+        """
+    @crouch_margin.setter
+    def crouch_margin(self, arg1: typing.Any) -> None: ...
+    @property
+    def crouch_time(self) -> typing.Any:
+        """
+        time constant of that; NaN: 0.5 T_c [s]
+        """
+    @crouch_time.setter
+    def crouch_time(self, arg1: typing.Any) -> None: ...
+    @property
     def fall_foot_tilt(self) -> typing.Any:
         """
         tilt of the foot that stands alone that counts as a fall [rad]
@@ -269,6 +369,13 @@ class WalkSettings:
     @first_swing.setter
     def first_swing(self, arg1: typing.Any) -> None: ...
     @property
+    def foot_clearance(self) -> typing.Any:
+        """
+        least distance of the soles' edges sideways; NaN: 0.03 of the COM height [m]
+        """
+    @foot_clearance.setter
+    def foot_clearance(self, arg1: typing.Any) -> None: ...
+    @property
     def foothold_freeze(self) -> typing.Any:
         """
         tied footholds: share of the single support after which the target stands
@@ -297,6 +404,27 @@ class WalkSettings:
     @footsteps.setter
     def footsteps(self, arg1: typing.Any) -> None: ...
     @property
+    def forward_acceleration(self) -> typing.Any:
+        """
+        at which v_x grows beyond that; NaN: 0.02 g [m/s^2]
+        """
+    @forward_acceleration.setter
+    def forward_acceleration(self, arg1: typing.Any) -> None: ...
+    @property
+    def forward_deceleration(self) -> typing.Any:
+        """
+        at which v_x goes back to zero; NaN: 0.046 g [m/s^2]
+        """
+    @forward_deceleration.setter
+    def forward_deceleration(self, arg1: typing.Any) -> None: ...
+    @property
+    def forward_jump(self) -> typing.Any:
+        """
+        change of v_x that passes at once; NaN: 0.036 of sqrt(g COM height) [m/s]
+        """
+    @forward_jump.setter
+    def forward_jump(self, arg1: typing.Any) -> None: ...
+    @property
     def friction_velocity(self) -> typing.Any:
         """
         joint speed below which dry friction is taken as proportional to speed [rad/s]
@@ -306,7 +434,7 @@ class WalkSettings:
     @property
     def iteration(self) -> typing.Any:
         """
-        how the reference ZMP is found: 'closed_form' or 'loop' (III-B)
+        how the reference ZMP is found: 'closed_form' or 'loop' (III-B), or 'none': the desired ZMP as the pendulum has it, the estimate changes nothing
         """
     @iteration.setter
     def iteration(self, arg1: typing.Any) -> None: ...
@@ -337,12 +465,54 @@ class WalkSettings:
         preset this started from
         """
     @property
+    def least_knee(self) -> typing.Any:
+        """
+        knee angle that the plan keeps: room for what it does not know, as swing leg and pelvis move the hips against the COM [rad]
+        """
+    @least_knee.setter
+    def least_knee(self, arg1: typing.Any) -> None: ...
+    @property
+    def load_alone(self) -> typing.Any:
+        """
+        double support: while the ZMP is this near to a sole's centre line, in half sole widths, that foot carries everything: a foot that just landed chatters under a light load
+        """
+    @load_alone.setter
+    def load_alone(self, arg1: typing.Any) -> None: ...
+    @property
     def max_iterations(self) -> typing.Any:
         """
         bound of the loop
         """
     @max_iterations.setter
     def max_iterations(self, arg1: typing.Any) -> None: ...
+    @property
+    def momentum_arms(self) -> typing.Any:
+        """
+        share of the yaw momentum of legs and trunk that the arms swing to cancel, 0 to 1; joints that a motion names do not swing
+        """
+    @momentum_arms.setter
+    def momentum_arms(self, arg1: typing.Any) -> None: ...
+    @property
+    def momentum_kd(self) -> typing.Any:
+        """
+        swinging arms: rate at which the robot's yaw momentum is brought to zero [1/s]
+        """
+    @momentum_kd.setter
+    def momentum_kd(self, arg1: typing.Any) -> None: ...
+    @property
+    def momentum_kp(self) -> typing.Any:
+        """
+        swinging arms: spring to the posture [1/s^2]
+        """
+    @momentum_kp.setter
+    def momentum_kp(self, arg1: typing.Any) -> None: ...
+    @property
+    def motion_blend(self) -> typing.Any:
+        """
+        time in which a joint motion takes over from the reference before it; NaN: 1.8 T_c [s]
+        """
+    @motion_blend.setter
+    def motion_blend(self, arg1: typing.Any) -> None: ...
     @property
     def posture_kd(self) -> typing.Any:
         """
@@ -365,6 +535,27 @@ class WalkSettings:
     @posture_task.setter
     def posture_task(self, arg1: typing.Any) -> None: ...
     @property
+    def rate_limit(self) -> typing.Any:
+        """
+        limit how fast the planned velocity changes; False: take profiles as they are
+        """
+    @rate_limit.setter
+    def rate_limit(self, arg1: typing.Any) -> None: ...
+    @property
+    def sideways_acceleration(self) -> typing.Any:
+        """
+        at which v_y follows beyond that; NaN: 0.025 g [m/s^2]
+        """
+    @sideways_acceleration.setter
+    def sideways_acceleration(self, arg1: typing.Any) -> None: ...
+    @property
+    def sideways_jump(self) -> typing.Any:
+        """
+        change of v_y that passes at once; NaN: 0.03 of sqrt(g COM height) [m/s]
+        """
+    @sideways_jump.setter
+    def sideways_jump(self, arg1: typing.Any) -> None: ...
+    @property
     def singular_damping(self) -> typing.Any:
         """
         damping of the motion where a leg is straight
@@ -379,12 +570,33 @@ class WalkSettings:
     @singular_pivot.setter
     def singular_pivot(self, arg1: typing.Any) -> None: ...
     @property
+    def sole_exponent(self) -> typing.Any:
+        """
+        above cadence_speed the ZMP uses less of the sole's length, as (cadence_speed / speed)^sole_exponent: at its edges the contact chatters
+        """
+    @sole_exponent.setter
+    def sole_exponent(self, arg1: typing.Any) -> None: ...
+    @property
     def sole_fraction(self) -> typing.Any:
         """
         share of the sole that the ZMP may use
         """
     @sole_fraction.setter
     def sole_fraction(self, arg1: typing.Any) -> None: ...
+    @property
+    def stand(self) -> typing.Any:
+        """
+        stand, feet side by side, while the profile is zero; False: step on the spot
+        """
+    @stand.setter
+    def stand(self, arg1: typing.Any) -> None: ...
+    @property
+    def stand_gain(self) -> typing.Any:
+        """
+        standing: how far the ZMP goes beyond the DCM, per distance from the middle
+        """
+    @stand_gain.setter
+    def stand_gain(self, arg1: typing.Any) -> None: ...
     @property
     def step_height(self) -> typing.Any:
         """
@@ -484,6 +696,20 @@ class WalkSettings:
     @trunk_kp.setter
     def trunk_kp(self, arg1: typing.Any) -> None: ...
     @property
+    def turning_acceleration(self) -> typing.Any:
+        """
+        at which w_z follows beyond that; NaN: 0.08 / T_c^2 [rad/s^2]
+        """
+    @turning_acceleration.setter
+    def turning_acceleration(self, arg1: typing.Any) -> None: ...
+    @property
+    def turning_jump(self) -> typing.Any:
+        """
+        change of w_z that passes at once; NaN: 0.07 / T_c [rad/s]
+        """
+    @turning_jump.setter
+    def turning_jump(self, arg1: typing.Any) -> None: ...
+    @property
     def wrench_distribution(self) -> typing.Any:
         """
         share the load of two standing feet; False: minimum-norm torque
@@ -529,6 +755,12 @@ class VelocityProfile:
     ) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
         Integral of the velocity from t0 to t1 (3,) [m, m, rad].
+        """
+    def travel(
+        self, t0: typing.SupportsFloat | typing.SupportsIndex, t1: typing.SupportsFloat | typing.SupportsIndex
+    ) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        """
+        Where a frame that moves with this velocity is at t1, seen from where it is at t0: (x, y, yaw) (3,).
         """
     def velocity(
         self, t: typing.SupportsFloat | typing.SupportsIndex
@@ -881,6 +1113,52 @@ class Robot:
         how each joint's torque reaches MuJoCo, by joint name: "motor 'l_knee'", "qfrc_applied: position servo 'l_knee' is silenced", ...
         """
 
+class JointMotion:
+    """
+    Scripted references of joints and trunk: a cubic spline with continuous acceleration.
+    """
+    def __init__(
+        self,
+        t: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"],
+        names: collections.abc.Sequence[str],
+        q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"],
+    ) -> None:
+        """
+        Args:
+            t: knot times (n,) [s], from 0, increasing.
+            names: joint of each column (m,).
+            q: positions at the knots (n, m) [rad or m].
+
+        Raises:
+            InputError, DimensionError.
+        """
+    def at(
+        self, t: typing.SupportsFloat | typing.SupportsIndex
+    ) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"]:
+        """
+        Position, velocity and acceleration (3, m) at time t [s]; the last position holds.
+        """
+    @property
+    def duration(self) -> float:
+        """
+        Time of the last knot [s].
+        """
+    @property
+    def names(self) -> list[str]:
+        """
+        Joint of each column.
+        """
+    @property
+    def q(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"]:
+        """
+        Positions at the knots (n, m) [rad or m].
+        """
+    @property
+    def t(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+        """
+        Knot times (n,) [s].
+        """
+
 class ContactSpace:
     """
     The contact space of the feet that stand: eq. 2 and 10-13.
@@ -1121,6 +1399,10 @@ class WholeBodyController:
         """
         Torque for horizontal COM acceleration (2,) [m/s^2].
         """
+    def yaw_moment(self, f_xy: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"]) -> float:
+        """
+        Vertical moment of the ground on the robot about its COM, d/dt L_z, for COM acceleration (2,) [N m].
+        """
     def zmp(
         self, f_xy: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"]
     ) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 1]"]:
@@ -1243,11 +1525,23 @@ class LinearInvertedPendulum:
         """
         First double support from which the symmetric orbit starts at rest [s].
         """
-    def orbit_dcm(
+    def orbit_inset(
         self, width: typing.SupportsFloat | typing.SupportsIndex, period: typing.SupportsFloat | typing.SupportsIndex
     ) -> float:
         """
-        DCM of the symmetric lateral orbit half way between the feet [m].
+        How far the lateral orbit's DCM, half way between the feet, lies inside the foot to come [m].
+        """
+    def orbit_offset(
+        self, drift: typing.SupportsFloat | typing.SupportsIndex, period: typing.SupportsFloat | typing.SupportsIndex
+    ) -> float:
+        """
+        And along a drift of the feet's middle by `drift` a step [m].
+        """
+    def orbit_velocity(
+        self, drift: typing.SupportsFloat | typing.SupportsIndex, period: typing.SupportsFloat | typing.SupportsIndex
+    ) -> float:
+        """
+        Velocity of that orbit in the middle of a single support [m/s].
         """
     def reference_for(
         self, x: typing.SupportsFloat | typing.SupportsIndex, a: typing.SupportsFloat | typing.SupportsIndex
@@ -1356,9 +1650,19 @@ class GaitOutput:
     What the gait asks for in one cycle.
     """
     @property
+    def at_rest(self) -> bool:
+        """
+        stands, and is not asked to walk
+        """
+    @property
     def foothold(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
         (x, y, yaw)
+        """
+    @property
+    def heading(self) -> float:
+        """
+        of the walk, in the world [rad]
         """
     @property
     def phase(self) -> int:
@@ -1398,6 +1702,11 @@ class GaitOutput:
         (3,) [m/s]
         """
     @property
+    def v_plan(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        """
+        planned velocity (v_x, v_y, w_z)
+        """
+    @property
     def w_T(self) -> float:
         """
         eq. 18 [m/s]
@@ -1420,6 +1729,7 @@ class GaitGenerator:
         timestep: typing.SupportsFloat | typing.SupportsIndex = 0.001,
         foot_distance: typing.SupportsFloat | typing.SupportsIndex,
         sole_width: typing.SupportsFloat | typing.SupportsIndex,
+        sole_length: typing.SupportsFloat | typing.SupportsIndex = 0.0,
         profile: VelocityProfile,
         settings: WalkSettings = ...,
     ) -> None:
@@ -1428,12 +1738,16 @@ class GaitGenerator:
             com_height: z_c [m].
             gravity: [m/s^2].
             timestep: control period [s].
-            foot_distance, sole_width: [m].
+            foot_distance, sole_width, sole_length: [m].
             profile: VelocityProfile.
             settings: WalkSettings.
 
         Raises:
             InputError.
+        """
+    def command(self, velocity: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> None:
+        """
+        From the next cycle on towards (v_x, v_y, w_z), whatever the profile says.
         """
     def reset(
         self,
@@ -1471,6 +1785,11 @@ class CycleOutput:
     def __copy__(self) -> CycleOutput: ...
     def __repr__(self) -> str: ...
     @property
+    def at_rest(self) -> bool:
+        """
+        stands, and is not asked to walk
+        """
+    @property
     def com(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
         COM (3,) [m]
@@ -1479,6 +1798,11 @@ class CycleOutput:
     def com_des(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
         desired COM of the next cycle (3,) [m]
+        """
+    @property
+    def command(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        """
+        live command in force (v_x, v_y, w_z), NaN while the profile leads
         """
     @property
     def damped(self) -> bool:
@@ -1529,6 +1853,11 @@ class CycleOutput:
     def fresh(self) -> bool:
         """
         computed in this call, not held from an earlier one
+        """
+    @property
+    def heading(self) -> float:
+        """
+        of the walk, in the world [rad]
         """
     @property
     def iterations(self) -> int:
@@ -1660,9 +1989,32 @@ class WalkingController:
             ModelError: the robot cannot be walked.
             InputError: a setting breaks a rule, or the profile is faster than the legs reach.
         """
+    def command(
+        self,
+        vx: typing.SupportsFloat | typing.SupportsIndex,
+        vy: typing.SupportsFloat | typing.SupportsIndex = 0.0,
+        wz: typing.SupportsFloat | typing.SupportsIndex = 0.0,
+    ) -> None:
+        """
+        From the next cycle on, walk with (vx, vy, wz) in the heading frame instead of the profile's velocity; until reset().
+
+        May be called from any thread, at any time. What the legs cannot reach is scaled down to `within_reach`; how fast the
+        robot takes a command up is limited (settings forward_jump, forward_acceleration, ...).
+
+        Args:
+            vx, vy: [m/s].
+            wz: [rad/s].
+
+        Raises:
+            InputError: not finite.
+        """
     def knee_share(self, speed: typing.SupportsFloat | typing.SupportsIndex) -> float:
         """
         Share of the knee's torque limit that its own rotor and damping take at lift-off, walking at speed [m/s].
+        """
+    def move(self, motion: JointMotion) -> None:
+        """
+        Joints outside the legs, and the trunk, follow `motion` from now on; see the package's WalkingController.
         """
     def plan(
         self,
@@ -1687,6 +2039,10 @@ class WalkingController:
         """
         Largest speed of the footsteps minus the planned one within `duration` [s]; 0 where steps follow the profile [m/s].
         """
+    def reach_share(self, velocity: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> float:
+        """
+        Share of the legs' reach that walking with velocity (v_x, v_y, w_z) takes; at most 1 can be walked.
+        """
     def reset(self, data: typing.Any) -> None:
         """
         Reads the state and starts a walk there; moves nothing.
@@ -1707,6 +2063,12 @@ class WalkingController:
             InputError: the state is not finite, its terms belong to another, or reset() was not called; nothing is
                 changed.
         """
+    def within_reach(
+        self, velocity: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]
+    ) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        """
+        The velocity (v_x, v_y, w_z), made smaller until its reach_share is at most 1.
+        """
     def zmp_bounds(
         self, side: str
     ) -> tuple[
@@ -1720,6 +2082,11 @@ class WalkingController:
     def Tc(self) -> float:
         """
         sqrt(z_c / g) [s]
+        """
+    @property
+    def arm_joints(self) -> list[str]:
+        """
+        joints outside the legs that carry less than a fifth of the robot's mass: arms, not the waist
         """
     @property
     def com_height(self) -> float:
@@ -1736,6 +2103,8 @@ class WalkingController:
         [kg]
         """
     @property
+    def motion(self) -> JointMotion: ...
+    @property
     def profile(self) -> VelocityProfile: ...
     @property
     def settings(self) -> WalkSettings:
@@ -1745,7 +2114,7 @@ class WalkingController:
     @property
     def speed_limit(self) -> float:
         """
-        largest speed the legs reach at this step period [m/s]
+        largest v_x that the legs reach [m/s]
         """
     @property
     def torque_limit(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
@@ -1826,6 +2195,7 @@ def distribute_wrench(
         collections.abc.Sequence[typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]], "FixedSize(2)"
     ],
     along: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"],
+    alone: typing.SupportsFloat | typing.SupportsIndex = 0.0,
 ) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[12, 1]"]:
     """
     Shares a total wrench (F, M about P) between two feet with sole centres c, exactly; (12,).
@@ -1900,6 +2270,11 @@ def solve_reference(
 ) -> ReferenceResult:
     """
     The fixed point of that loop in closed form, for an affine estimate.
+    """
+
+def yaw_momentum(dynamics: Dynamics) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+    """
+    Row c (nv,) of the angular momentum about the vertical through the COM, L_z = c dq [kg m^2/s].
     """
 
 def zmp_bounds(

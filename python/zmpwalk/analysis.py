@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-__all__ = ["Window", "bound_excess", "midstance_offset", "switch_times", "zmp_error", "zmp_windows"]
+__all__ = ["Window", "bound_excess", "midstance_offset", "switch_times", "yaw_moment", "zmp_error", "zmp_windows"]
 
 
 class Window(NamedTuple):
@@ -74,6 +74,33 @@ def zmp_error(trace: Any, single_support: bool = False) -> np.ndarray:
 
 
 def bound_excess(trace: Any, single_support: bool = True) -> np.ndarray:
-    """How far the estimated ZMP was beyond its designed bounds, each cycle and axis (n, 2) [m]; negative inside."""
-    excess = np.maximum(trace.zmp_est - trace.zmp_upper, trace.zmp_lower - trace.zmp_est)
+    """How far the estimated ZMP was beyond its designed bounds, each cycle and axis (n, 2) [m]; negative inside.
+
+    The axes are those of the support sole, along which the bounds run.
+    """
+    w, x, y, z = np.where(trace.support[:, None] > 0, trace.foot_left, trace.foot_right)[:, 3:].T
+    yaw = np.arctan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
+    along = np.stack([np.cos(yaw), np.sin(yaw)], axis=-1)
+    across = np.stack([-np.sin(yaw), np.cos(yaw)], axis=-1)
+
+    def in_sole(v: np.ndarray) -> np.ndarray:
+        return np.stack([(v * along).sum(axis=1), (v * across).sum(axis=1)], axis=-1)
+
+    excess = np.maximum(in_sole(trace.zmp_est - trace.zmp_upper), in_sole(trace.zmp_lower - trace.zmp_est))
     return np.asarray(excess[trace.phase == 1] if single_support else excess)
+
+
+def yaw_moment(trace: Any, about: str = "zmp") -> np.ndarray:
+    """Vertical moment of the ground on the robot (n,) [N m], cycles with contact only.
+
+    Args:
+        about: "zmp", the measured one: what turns the robot on its soles; or "com": what changes its angular momentum.
+    """
+    point = {"zmp": trace.zmp_meas, "com": trace.com[:, :2]}[about]
+    moment = np.zeros(len(trace.t))
+    for i, foot in enumerate((trace.foot_left, trace.foot_right)):
+        # contact_wrench is the robot's on the ground, at the sole's centre; NaN in the air
+        force, own = -np.nan_to_num(trace.contact_wrench[:, 6 * i : 6 * i + 6]).reshape(-1, 2, 3).swapaxes(0, 1)
+        arm = foot[:, :2] - point
+        moment += own[:, 2] + arm[:, 0] * force[:, 1] - arm[:, 1] * force[:, 0]
+    return moment[np.isfinite(trace.zmp_meas).all(axis=1)]

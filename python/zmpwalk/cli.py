@@ -142,6 +142,7 @@ def _settings_options(command: Callable) -> Callable:
     show_default=True,
     help='Planned velocity: paper, a CSV file, "0.2" or "0:0.063,0.8:0.156".',
 )
+@click.option("--motion", type=click.Path(path_type=Path), help="CSV of arm, waist, trunk angles: t,JOINT,...")
 @click.option("--duration", type=float, default=8.0, show_default=True, help="Simulated time [s].")
 @_settings_options
 @click.option("--out", type=click.Path(path_type=Path), help="Folder to write into.  [default: out/ROBOT-LAW]")
@@ -150,6 +151,7 @@ def _settings_options(command: Callable) -> Callable:
 def walk(
     robot: str,
     profile: str,
+    motion: Path | None,
     duration: float,
     settings: Any,
     out: Path | None,
@@ -157,6 +159,7 @@ def walk(
     no_figures: bool,
 ) -> int:
     """Walk a robot in MuJoCo, then write trace, summary and figures."""
+    from .motion import JointMotion
     from .profiles import VelocityProfile
     from .proposal import examine
     from .simulation import WalkingController, check_duration, run
@@ -167,6 +170,7 @@ def walk(
     model, found = examine(robot)
     name = robot if robot.isidentifier() else found.description.name
     controller = WalkingController(model, found.description, settings, velocity)
+    controller.move(motion and JointMotion.from_csv(motion))
     mismatch = getattr(controller, "plan_mismatch", lambda duration: 0.0)(duration)
     out = out or Path("out") / f"{name}-{settings.law}"
     with _folder(out) as (draft, deliver):

@@ -16,12 +16,14 @@ import numpy as np
 from . import _core
 from .description import Robot, RobotDescription, describe, description_to_dict, load_robot
 from .errors import InputError
+from .motion import JointMotion
 from .profiles import VelocityProfile
 from .trace import Trace, model_bytes, plain
 
 __all__ = ["Recorder", "WalkingController", "simulate", "simulate_batch"]
 
 Progress = Callable[[float, float], None]
+_NO_MOTION = _core.JointMotion([0.0], [], np.zeros((1, 0)))
 
 
 class WalkingController(_core.WalkingController):
@@ -64,6 +66,30 @@ class WalkingController(_core.WalkingController):
     def profile(self) -> VelocityProfile:
         """The planned velocity."""
         return VelocityProfile.of(super().profile)
+
+    @property
+    def motion(self) -> JointMotion | None:
+        """The joint motion that is followed; None where there is none."""
+        return JointMotion.of(super().motion) if super().motion.names else None
+
+    def move(self, motion: _core.JointMotion | None) -> None:
+        """Arms, waist and trunk follow a motion from the last cycle on, while the legs walk.
+
+        Its references, with speed and acceleration, feed the posture and trunk tasks:
+        f* = ddq_ref + k_p (q_ref - q) + k_d (dq_ref - dq). The reference goes over into the motion within the setting
+        `motion_blend` without a jump in position, speed or acceleration; what the motion does not name goes back to
+        the stand. `reset` begins the motion anew. Call it between cycles.
+
+        Args:
+            motion: None takes everything back to the stand.
+
+        Raises:
+            InputError: a name that is no joint, or a leg's; a joint beyond its range, a trunk turned by more than half
+                of the setting `fall_tilt`; the posture task is off. Nothing is changed then.
+
+        Usage: `controller.move(JointMotion([0, 1], ["l_elbow"], [[-0.3], [-1.5]]))`
+        """
+        super().move(_NO_MOTION if motion is None else motion)
 
 
 class Recorder:
@@ -120,6 +146,7 @@ def simulate(
     settings: _core.WalkSettings | None = None,
     on_progress: Progress | None = None,
     seed: int = 0,
+    motion: _core.JointMotion | None = None,
 ) -> Trace:
     """Walk in MuJoCo, wholly in C++, and return the record.
 
@@ -133,6 +160,7 @@ def simulate(
         settings: None takes `WalkSettings()`.
         on_progress: called about ten times a second with (t, duration) [s]; what it raises stops the run and passes on.
         seed: kept in the trace; nothing is random yet.
+        motion: what arms, waist and trunk do meanwhile (`WalkingController.move`); None lets them stand.
 
     Returns:
         The trace, one row per control cycle.
@@ -145,6 +173,7 @@ def simulate(
     """
     model, description = load_robot(robot)
     controller = WalkingController(model, description, settings, profile)
+    controller.move(motion)
     return run(
         controller, duration, on_progress, seed, robot if isinstance(robot, str) and robot.isidentifier() else None
     )
@@ -160,7 +189,7 @@ def simulate_batch(
     The interpreter's lock is free while walks run. A trace has the same bits whatever the number of threads.
 
     Args:
-        runs: one mapping a walk, with the arguments of `simulate`: robot, profile, duration, settings, seed.
+        runs: one mapping a walk, with the arguments of `simulate`: robot, profile, duration, settings, seed, motion.
         threads: how many walk at a time; None takes the processors this process may use.
         on_progress: called now and then with (t, duration) [s], simulated time of all walks together.
 
@@ -177,7 +206,7 @@ def simulate_batch(
         threads = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
     if isinstance(threads, bool) or not isinstance(threads, (int, np.integer)) or threads < 1:
         raise InputError(f"threads is {threads!r}; it must be an integer of at least 1")
-    known = ("robot", "profile", "duration", "settings", "seed")
+    known = ("robot", "profile", "duration", "settings", "seed", "motion")
     robots: dict[Any, tuple[mujoco.MjModel, RobotDescription]] = {}
     jobs = []
     runs = list(runs)  # keeps models alive that are told apart by their id
@@ -190,6 +219,7 @@ def simulate_batch(
         if key not in robots:
             robots[key] = load_robot(robot)
         controller = WalkingController(*robots[key], given.get("settings"), given.get("profile"))
+        controller.move(given.get("motion"))
         label = robot if isinstance(robot, str) and robot.isidentifier() else None
         jobs.append((controller, check_duration(given.get("duration", 8.0)), _check_seed(given.get("seed", 0)), label))
 
@@ -272,6 +302,7 @@ def rerun(trace: Trace, on_progress: Progress | None = None) -> Trace:
     """See `Trace.rerun`: the same loop from the trace's own model, description, settings and profile."""
     model = trace.model
     controller = WalkingController(model, trace.description, trace.settings, trace.profile)
+    controller.move(trace.motion)
     robot = trace.meta.get("robot")
     if trace.meta.get("source") != "recorder":
         return run(controller, trace.meta["requested_duration"], on_progress, trace.meta.get("seed", 0), robot)
@@ -317,6 +348,7 @@ def _describe_run(
         "settings": settings.to_dict(),
         "description": description_to_dict(controller.description),
         "profile": VelocityProfile.of(controller.profile).to_dict(),
+        "motion": controller.motion and controller.motion.to_dict(),
         "versions": _versions(),
         "model_sha256": hashlib.sha256(compiled).hexdigest(),
         "timestep": model.opt.timestep,

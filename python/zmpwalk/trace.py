@@ -14,10 +14,12 @@ from typing import TYPE_CHECKING, Any, Callable, Iterator, Mapping
 import mujoco
 import numpy as np
 
+from .analysis import bound_excess
 from .errors import DimensionError, Error, InputError, ModelError
 
 if TYPE_CHECKING:
     from ._core import RobotDescription, WalkSettings
+    from .motion import JointMotion
     from .profiles import VelocityProfile
 
 __all__ = ["FORMAT_VERSION", "Trace"]
@@ -153,6 +155,14 @@ class Trace(Mapping):
         from .profiles import VelocityProfile
 
         return VelocityProfile.from_dict(self._meta("profile"))
+
+    @property
+    def motion(self) -> JointMotion | None:
+        """What arms, waist and trunk did meanwhile; None where they stood."""
+        from .motion import JointMotion
+
+        motion = self.meta.get("motion")
+        return None if motion is None else JointMotion.from_dict(motion)
 
     @property
     def settings(self) -> WalkSettings:
@@ -374,7 +384,7 @@ class Trace(Mapping):
         mean_speed, planned_speed = self._speed_per_step()
         single = self.phase == 1
         error = 1e3 * np.abs(self.zmp_est - self.zmp_meas)
-        excess = 1e3 * np.maximum(self.zmp_est - self.zmp_upper, self.zmp_lower - self.zmp_est)[single]
+        excess = 1e3 * bound_excess(self)
         modified = (self.zmp_modified != 0).any(axis=1)
         summary = {
             "robot": meta.get("robot"),

@@ -79,8 +79,10 @@ struct Seen {
   int steps = 0;
 };
 
-Seen walk(double duration, const WalkSettings& s, const mjModel* m = mahru(), Terms terms = Terms::kCompute) {
+Seen walk(double duration, const WalkSettings& s, const mjModel* m = mahru(), Terms terms = Terms::kCompute,
+          const JointMotion& motion = JointMotion()) {
   WalkingController controller(m, describe(mahru()), s);
+  controller.move(motion);
   Recorder recorder(controller, duration);
   const MjDataPtr d = make_data(m);
   controller.robot().description().place(m, d.get());
@@ -160,6 +162,14 @@ BOOST_AUTO_TEST_CASE(cycle_that_cuts_a_torque_allocates_nothing) {
   const Seen seen = walk(0.4, WalkSettings(), weak.get());
   stays_off_the_heap(seen);
   BOOST_CHECK(seen.saturated && seen.single && seen.both);
+}
+
+BOOST_AUTO_TEST_CASE(cycle_that_moves_waist_trunk_and_arms_allocates_nothing) {
+  WalkSettings s;
+  s.momentum_arms = 1.0;
+  const RowMatX q = (RowMatX(2, 3) << 0, 0, -0.5, 0.3, 0.1, -1.0).finished();
+  const JointMotion motion(Vec2(0, 0.7), {"waist_yaw", "trunk_pitch", "l_elbow"}, q);
+  stays_off_the_heap(walk(1.5, s, mahru(), Terms::kCompute, motion));
 }
 
 BOOST_AUTO_TEST_CASE(cycle_in_a_scene_allocates_nothing) {

@@ -11,7 +11,7 @@ namespace zmpwalk {
 enum class Footsteps { kTied, kAbsolute, kPaper, kPrinted, kList };
 enum class ComState { kMeasured, kDesired };
 enum class TrackerLaw { kSmooth, kBangBang };
-enum class Iteration { kClosedForm, kLoop };
+enum class Iteration { kClosedForm, kLoop, kNone };
 
 /// Every gain, bound and switch of the walk. Not-a-number means "from the robot": resolved when a controller is made.
 ///
@@ -32,7 +32,8 @@ struct WalkSettings {
   // How fast the planned velocity may change
   bool rate_limit = true;
   double forward_jump = kNaN, sideways_jump = kNaN, turning_jump = kNaN;
-  double forward_acceleration = kNaN, forward_deceleration = kNaN, sideways_acceleration = kNaN, turning_acceleration = kNaN;
+  double forward_acceleration = kNaN, forward_deceleration = kNaN, sideways_acceleration = kNaN,
+         turning_acceleration = kNaN;
   // Velocity tracking (III-C) and the reference ZMP (III-B)
   TrackerLaw tracker = TrackerLaw::kSmooth;
   double tracker_gain = kNaN, tracker_time = kNaN, tracker_reach = kNaN, tracker_deadband = 2e-4;
@@ -53,12 +54,13 @@ struct WalkSettings {
   // Footsteps and the swing foot
   Footsteps footsteps = Footsteps::kTied;
   std::vector<double> step_lengths;
-  double step_width = kNaN, foot_clearance = kNaN, step_height = kNaN, foothold_reach = kNaN, com_lead = kNaN, foothold_time = kNaN,
-         foothold_freeze = 0.7;
+  double step_width = kNaN, foot_clearance = kNaN, step_height = kNaN, foothold_reach = kNaN, com_lead = kNaN,
+         foothold_time = kNaN, foothold_freeze = 0.7;
   bool swing_feed_forward = true;
   double swing_kp = kNaN, swing_kd = kNaN;
   // The other tasks, double support
   double trunk_kp = kNaN, trunk_kd = kNaN, posture_kp = kNaN, posture_kd = kNaN;
+  double motion_blend = kNaN, momentum_arms = 0.0, momentum_kp = kNaN, momentum_kd = kNaN;
   bool posture_task = true, wrench_distribution = true, textbook = false;
   double load_alone = 0.7, contact_damping = 100.0;
   double singular_damping = 1e-3, singular_pivot = 1e-2;
@@ -110,7 +112,10 @@ void visit_settings(Settings& s, Visitor&& v) {
     "bang-bang tracker: integrated error that counts as zero before a drive starts");
   v("zmp_modification", s.zmp_modification, "",
     "keep the estimated ZMP inside its bounds (III-B, III-C); False: track v_plan blindly");
-  v("iteration", s.iteration, "", "how the reference ZMP is found: 'closed_form' or 'loop' (III-B)");
+  v("iteration", s.iteration, "",
+    "how the reference ZMP is found: 'closed_form' or 'loop' (III-B), or 'none': the desired ZMP as the pendulum has "
+    "it, the "
+    "estimate changes nothing");
   v("zmp_threshold", s.zmp_threshold, "m", "|desired - estimated ZMP| at which the loop ends (section IV)");
   v("max_iterations", s.max_iterations, "", "bound of the loop");
   v("sole_fraction", s.sole_fraction, "", "share of the sole that the ZMP may use");
@@ -140,7 +145,8 @@ void visit_settings(Settings& s, Visitor&& v) {
   v("footsteps", s.footsteps, "", "'tied' to the COM, 'absolute', 'paper', 'printed' or 'list' (step_lengths)");
   v("step_lengths", s.step_lengths, "m", "lead of each step over the stance foot, the last one repeated");
   v("step_width", s.step_width, "m", "lateral distance of the feet; NaN: as they stand at the start");
-  v("foot_clearance", s.foot_clearance, "m", "least distance of the soles' edges sideways; NaN: 0.03 of the COM height");
+  v("foot_clearance", s.foot_clearance, "m",
+    "least distance of the soles' edges sideways; NaN: 0.03 of the COM height");
   v("step_height", s.step_height, "m",
     "height of the swing foot; NaN: 0.0535 of the COM height, less (to 0.01) where the knee's rotor and damping would "
     "take "
@@ -161,6 +167,13 @@ void visit_settings(Settings& s, Visitor&& v) {
   v("trunk_kd", s.trunk_kd, "1/s", "trunk orientation");
   v("posture_kp", s.posture_kp, "1/s^2", "joints that are in no leg");
   v("posture_kd", s.posture_kd, "1/s", "joints that are in no leg");
+  v("motion_blend", s.motion_blend, "s",
+    "time in which a joint motion takes over from the reference before it; NaN: 1.8 T_c");
+  v("momentum_arms", s.momentum_arms, "",
+    "share of the yaw momentum of legs and trunk that the arms swing to cancel, 0 to 1; joints that a motion names do "
+    "not swing");
+  v("momentum_kp", s.momentum_kp, "1/s^2", "swinging arms: spring to the posture");
+  v("momentum_kd", s.momentum_kd, "1/s", "swinging arms: rate at which the robot's yaw momentum is brought to zero");
   v("posture_task", s.posture_task, "", "stack the posture of waist and arms");
   v("wrench_distribution", s.wrench_distribution, "",
     "share the load of two standing feet; False: minimum-norm torque");

@@ -7,6 +7,7 @@
 
 #include "zmpwalk/control/whole_body.hpp"
 #include "zmpwalk/gait/gait_generator.hpp"
+#include "zmpwalk/gait/joint_motion.hpp"
 #include "zmpwalk/gait/plan.hpp"
 #include "zmpwalk/gait/velocity_tracker.hpp"
 #include "zmpwalk/math/mailbox.hpp"
@@ -94,6 +95,13 @@ class WalkingController {
   /// @param velocity (v_x, v_y, w_z) [m/s, m/s, rad/s]. @throws InputError not finite
   void command(const Vec3& velocity);
 
+  /// Joints outside the legs, and the trunk, follow `motion` from the last cycle on, reached within `motion_blend` without a jump; what it
+  /// does not name goes back to the stand. `reset` begins the motion anew. Call it between cycles.
+  /// @throws InputError a name that is no joint, or a leg's; a joint beyond its range, the trunk turned by more than half of
+  ///         `fall_tilt`; posture_task off. Nothing is changed then.
+  void move(const JointMotion& motion);
+  const JointMotion& motion() const { return reference_.motion(); }
+
   const CycleOutput& output() const { return out_; }
   // What the last cycle asked of the whole body.
   const Stance& stance() const { return stance_; }
@@ -126,12 +134,14 @@ class WalkingController {
 
  private:
   static constexpr double kTooFast = 10.0;  // no biped's walk [m/s]
-  struct Desired {     // what a reference ZMP leads to, in S
-    Vec2 x_d, v_d, f;  // next COM state (16), commanded acceleration (8)
+  struct Desired {                          // what a reference ZMP leads to, in S
+    Vec2 x_d, v_d, f;                       // next COM state (16), commanded acceleration (8)
   };
   Desired desired(const Vec2& r) const;
   GaitInput gait_input(double t, const Vec2& com, const Vec2& dcom) const;
   void task_accelerations(const GaitOutput& gait);
+  void swing_arms(const GaitOutput& gait);
+  int coordinate(const std::string& name) const;
   void choose_reference(const GaitOutput& gait);
   void clip_torque(const GaitOutput& gait);
   void check_fall(const GaitOutput& gait);
@@ -141,10 +151,10 @@ class WalkingController {
   void set_height(double crouch);                 // the pendulum's, and what follows from it
   void move_height(double t, double stretch);
   void check_profile() const;
-  double start_excursion(
-      double scale) const;  // of the COM from the first stance foot, for the plan times `scale` [m]
+  double start_excursion(double scale) const;  // of the COM from the first stance foot, for the plan times `scale` [m]
 
   Robot robot_;
+  MotionReference reference_;  // of the joints, then the trunk's roll, pitch, yaw
   VelocityProfile profile_;
   double com_height_;
   SoleSize sole_;
@@ -165,10 +175,11 @@ class WalkingController {
   GaitInput start_;
   int ticks_per_cycle_ = 1;
   long tick_ = 0;
-  double ground_ = 0.0;                                    // height of the soles at the start
-  double crouch_ = 0.0, dcrouch_ = 0.0, ddcrouch_ = 0.0;   // how far the COM is to be under com_height_, and its derivatives
-  Mat3 R_HB_;                                              // trunk in the heading frame at the start
-  std::array<Vec3, 2> up_;                                 // normals of the soles at the start
+  double ground_ = 0.0;  // height of the soles at the start
+  double crouch_ = 0.0, dcrouch_ = 0.0,
+         ddcrouch_ = 0.0;   // how far the COM is to be under com_height_, and its derivatives
+  Mat3 R_HB_;               // trunk in the heading frame at the start
+  std::array<Vec3, 2> up_;  // normals of the soles at the start
   Vec2 com_des_ = Vec2::Zero(), dcom_des_ = Vec2::Zero();  // previous desired state, W
 
   // Of this cycle
@@ -179,6 +190,8 @@ class WalkingController {
   Vec2 f_xy_ = Vec2::Zero();  // commanded COM acceleration, W
   Stance stance_;
   TaskAccelerations f_star_;
+  std::vector<int> swinging_;  // arm joints that no motion names
+  VecX c_;                     // row of the yaw momentum
   WholeBodyResult result_;
   CycleOutput out_;
   RowMatX J_c_;

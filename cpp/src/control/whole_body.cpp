@@ -213,6 +213,12 @@ void WholeBodyController::prepare_textbook(const TaskAccelerations& f_star) {
   damped_ = false;
 }
 
+double WholeBodyController::yaw_moment(const Vec2& f_xy) const {
+  if (!dynamics_) throw InputError("yaw_moment was called before prepare");
+  const Vec3 at(1.0, f_xy.x(), f_xy.y()), arm = dynamics_->com - dynamics_->sole[stance_.support].p_WF, F = F_ * at;
+  return arm.cross(F).z() - M_.row(2).dot(at);
+}
+
 void WholeBodyController::solve(const Vec2& f_xy, WholeBodyResult& out) const {
   if (!dynamics_) throw InputError("solve was called before prepare");
   const Dynamics& dyn = *dynamics_;

@@ -35,6 +35,8 @@ constexpr double kStandHeight = 0.005;  // of a sole over the ground [m]
 constexpr double kLeastMobility =
     1e-3;  // least over largest singular value of a leg's Jacobian, lengths in units of the leg
 
+constexpr double kArmShare = 0.2;  // of the robot's mass: what an arm, not the waist, carries at most
+
 }  // namespace
 
 std::string object_name(const mjModel* m, mjtObj type, int id) {
@@ -78,6 +80,11 @@ Robot::Robot(const mjModel* m, const RobotDescription& description)
       for (int k = 0; k < m->body_dofnum[body]; ++k) frame.dofs.push_back(m->body_dofadr[body] + k - dof0_);
     for (const std::string& name : foot.leg_joints)
       leg_joints_[side].push_back(m->jnt_dofadr[mj_name2id(m, mjOBJ_JOINT, name.c_str())] - dof0_ - 6);
+  }
+  for (int j = 0; j < joints(); ++j) {
+    const int body = m->dof_bodyid[dof0_ + 6 + j];
+    if (!is_leg_joint(j) && m->body_subtreemass[body] < kArmShare * m->body_subtreemass[root_body_])
+      arm_joints_.push_back(j);
   }
   // Ankle position in the sole frame, at the start pose (it does not depend on the ankle's angle to first order).
   description.place(m, data_.get());
@@ -251,13 +258,25 @@ Vec3 Robot::sole_centre(Side side, const mjData* d) const {
 
 double Robot::joint_margin(const mjData* d) const {
   double margin = std::numeric_limits<double>::infinity();
-  for (int i = 6; i < nv_; ++i) {
-    const int joint = m_->dof_jntid[dof0_ + i];
-    if (!m_->jnt_limited[joint]) continue;
-    const double q = d->qpos[qpos0_ + 1 + i];
-    margin = std::min({margin, q - m_->jnt_range[2 * joint], m_->jnt_range[2 * joint + 1] - q});
+  for (int j = 0; j < joints(); ++j) {
+    const auto [low, high] = joint_range(j);
+    const double q = d->qpos[qpos0_ + 7 + j];
+    margin = std::min({margin, q - low, high - q});
   }
   return margin;
+}
+
+std::pair<double, double> Robot::joint_range(int joint) const {
+  const int id = m_->dof_jntid[dof0_ + 6 + joint];
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (!m_->jnt_limited[id]) return {-kInfinity, kInfinity};
+  return {m_->jnt_range[2 * id], m_->jnt_range[2 * id + 1]};
+}
+
+bool Robot::is_leg_joint(int joint) const {
+  for (const auto& leg : leg_joints_)
+    if (std::find(leg.begin(), leg.end(), joint) != leg.end()) return true;
+  return false;
 }
 
 }  // namespace zmpwalk

@@ -76,6 +76,9 @@ class WholeBodyController {
   /// d zmp / d f_xy (2, 2) [s^2].
   const Mat2& zmp_slope() const { return zmp_slope_; }
 
+  /// Vertical moment of the ground on the robot about its COM, that is d/dt L_z, for COM acceleration `f_xy` [N m]. Affine in f_xy.
+  double yaw_moment(const Vec2& f_xy) const;
+
   /// Eq. 1-7: torque for COM acceleration `f_xy`. Writes into `out`, whose vectors are sized by `result()`.
   void solve(const Vec2& f_xy, WholeBodyResult& out) const;
 

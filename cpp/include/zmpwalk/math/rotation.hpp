@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "zmpwalk/math/spline.hpp"
 #include "zmpwalk/math/types.hpp"
 
 namespace zmpwalk {
@@ -13,6 +14,25 @@ inline Mat3 rotation_z(double yaw) {
   Mat3 R;
   R << c, -s, 0, s, c, 0, 0, 0, 1;
   return R;
+}
+
+/// An orientation with angular velocity [rad/s] and acceleration [rad/s^2], in the axes that it is seen from.
+struct Turning {
+  Mat3 R = Mat3::Identity();
+  Vec3 omega = Vec3::Zero(), alpha = Vec3::Zero();
+};
+
+/// R = R_z(yaw) R_y(pitch) R_x(roll), each angle with its rate and acceleration.
+inline Turning turning(const Motion1& roll, const Motion1& pitch, const Motion1& yaw) {
+  const Mat3 R_z = rotation_z(yaw.p);
+  const Vec3 y = R_z.col(1), x = std::cos(pitch.p) * R_z.col(0) - std::sin(pitch.p) * Vec3::UnitZ();
+  const Vec3 omega_z = yaw.v * Vec3::UnitZ(), omega_zy = omega_z + pitch.v * y;
+  Turning out;
+  out.R = R_z * Eigen::AngleAxisd(pitch.p, Vec3::UnitY()) * Eigen::AngleAxisd(roll.p, Vec3::UnitX());
+  out.omega = omega_zy + roll.v * x;
+  out.alpha =
+      yaw.a * Vec3::UnitZ() + pitch.a * y + roll.a * x + pitch.v * omega_z.cross(y) + roll.v * omega_zy.cross(x);
+  return out;
 }
 
 /// Heading of a frame: the angle of its x axis in the horizontal plane [rad].

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "zmpwalk/math/types.hpp"
+
 namespace zmpwalk {
 
 /// Position, velocity and acceleration of one coordinate.
@@ -23,5 +25,15 @@ class Cubic {
  private:
   double c0_ = 0.0, c1_ = 0.0, c2_ = 0.0, c3_ = 0.0, T_ = 0.0;
 };
+
+/// Velocities at the knots (t_i, p_i) that join their cubics with continuous acceleration; zero at both ends.
+///
+/// Row i of the system: v_i-1 / h_i-1 + 2 (1 / h_i-1 + 1 / h_i) v_i + v_i+1 / h_i = 3 (d_i-1 / h_i-1^2 + d_i / h_i^2), with
+/// h_i = t_i+1 - t_i, d_i = p_i+1 - p_i.
+/// @param t increasing (n,)   @param p (n,). @return (n,)
+VecX knot_velocities(const ConstVecRef& t, const ConstVecRef& p);
+
+/// The quintic that leads from `start` at t = 0 to zero position, velocity and acceleration at t = T > 0; zero after. t >= 0.
+Motion1 fade_out(const Motion1& start, double T, double t);
 
 }  // namespace zmpwalk

@@ -78,6 +78,11 @@ class Robot {
   const VecX& torque_limit() const { return torque_limit_; }
   /// Joint index (0-based, base excluded) of each leg joint, hip to ankle.
   const std::array<std::vector<int>, 2>& leg_joints() const { return leg_joints_; }
+  bool is_leg_joint(int joint) const;
+  /// Joints outside the legs that carry less than a fifth of the robot's mass: arms, not the waist (indices).
+  const std::vector<int>& arm_joints() const { return arm_joints_; }
+  /// Lower and upper limit of a joint [rad or m]; infinite where it has none.
+  std::pair<double, double> joint_range(int joint) const;
   /// Joint positions of the start pose (joints,).
   const VecX& stand() const { return stand_; }
   /// Position of the lowest leg joints' axes (ankle) in the sole frame: where the ankle torque limit acts [m].
@@ -123,6 +128,7 @@ class Robot {
   bool tendon_forces_ = false;
   VecX torque_limit_, stand_;
   std::array<std::vector<int>, 2> leg_joints_;
+  std::vector<int> arm_joints_;
   std::array<Vec3, 2> ankle_F_;
   std::array<RobotLeg, 2> leg_;
   double hip_turn_ = std::numeric_limits<double>::infinity();

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "zmpwalk/math/spline.hpp"
+#include "zmpwalk/math/types.hpp"
+
+namespace zmpwalk {
+
+/// Scripted references over time: a cubic spline with continuous acceleration through knots, at rest at both ends; the last value holds.
+///
+/// Names are the model's joints [rad or m] and `trunk_roll`, `trunk_pitch`, `trunk_yaw` [rad]: the trunk's turn from where it
+/// stands, R_z(yaw) R_y(pitch) R_x(roll) in the heading frame.
+class JointMotion {
+ public:
+  /// Names nothing: everything at its stand.
+  JointMotion() = default;
+  /// @param t      knot times (n,) [s], from 0, strictly increasing
+  /// @param names  one per column (m,), each once
+  /// @param q      positions at the knots (n, m)
+  /// @throws InputError no knots, NaN or infinity, a first time that is not 0, a time that does not increase, a name given twice
+  /// @throws DimensionError  q is not (n, m)
+  JointMotion(const VecX& t, std::vector<std::string> names, const RowMatX& q);
+
+  /// Position, velocity and acceleration of a column at time t [s]. Allocates nothing.
+  Motion1 at(double t, int column) const;
+
+  /// Where a column is smallest and largest, between the knots too.
+  struct Extent {
+    double t_low = 0.0, low = 0.0, t_high = 0.0, high = 0.0;
+  };
+  Extent extent(int column) const;
+
+  const VecX& t() const { return t_; }
+  const std::vector<std::string>& names() const { return names_; }
+  const RowMatX& q() const { return q_; }
+  double duration() const { return t_.size() ? t_[t_.size() - 1] : 0.0; }  ///< [s]
+
+ private:
+  const Cubic& piece(Eigen::Index i, int column) const { return pieces_[i * names_.size() + column]; }
+
+  VecX t_;
+  std::vector<std::string> names_;
+  RowMatX q_;
+  std::vector<Cubic> pieces_;  // (n - 1, m)
+};
+
+/// What a set of coordinates is to follow: a motion, reached smoothly from whatever the reference was before.
+///
+/// reference = motion (or rest) + the quintic that leads from the difference at the start to nothing within the blend time: position, velocity
+/// and acceleration are continuous.
+class MotionReference {
+ public:
+  /// @param rest  where coordinates lie that no motion names (n,)
+  explicit MotionReference(const VecX& rest);
+
+  /// Follows `motion` from the time of the last `update` on.
+  ///
+  /// @param entry  coordinate of each column of the motion (m,)   @param blend [s], > 0
+  void start(JointMotion motion, std::vector<int> entry, double blend);
+  /// At rest, at time 0: the motion begins anew.
+  void reset();
+  /// The reference at time t [s], t >= that of the last update. Allocates nothing.
+  void update(double t);
+
+  const VecX& q() const { return q_; }      ///< (n,)
+  const VecX& dq() const { return dq_; }    ///< (n,)
+  const VecX& ddq() const { return ddq_; }  ///< (n,)
+  const JointMotion& motion() const { return motion_; }
+  /// True where the motion names this coordinate.
+  bool names(int coordinate) const;
+
+ private:
+  void blend_from_here();
+
+  VecX rest_, q_, dq_, ddq_;
+  JointMotion motion_;
+  std::vector<int> entry_;
+  std::vector<Motion1> difference_;  // at the start (n,)
+  double t_ = 0.0, t_start_ = 0.0, blend_ = 0.0;
+};
+
+}  // namespace zmpwalk
