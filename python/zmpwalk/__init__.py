@@ -57,6 +57,7 @@ from .proposal import Proposal, propose
 from .settings import load_settings, settings_toml
 from .simulation import Recorder, WalkingController, simulate, simulate_batch
 from .trace import Trace
+from .waypoints import Waypoints
 
 __all__ = [
     "ContactSpace",
@@ -81,6 +82,7 @@ __all__ = [
     "VersionError",
     "WalkSettings",
     "WalkingController",
+    "Waypoints",
     "WholeBodyController",
     "ZmpEstimator",
     "__version__",

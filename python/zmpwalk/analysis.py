@@ -1,4 +1,4 @@
-"""What a walk's acceptance is read from: switch times, ZMP windows, offsets at mid-stance, errors by phase.
+"""What a walk's acceptance is read from: switch times, ZMP windows, offsets at mid-stance, errors by phase, the path.
 
 Every function takes a `Trace`, or anything with the same columns as attributes.
 """
@@ -9,7 +9,17 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-__all__ = ["Window", "bound_excess", "midstance_offset", "switch_times", "zmp_error", "zmp_windows"]
+__all__ = [
+    "Window",
+    "bound_excess",
+    "feet_pose",
+    "midstance_offset",
+    "planned_path",
+    "sole_yaw",
+    "switch_times",
+    "zmp_error",
+    "zmp_windows",
+]
 
 
 class Window(NamedTuple):
@@ -77,3 +87,41 @@ def bound_excess(trace: Any, single_support: bool = True) -> np.ndarray:
     """How far the estimated ZMP was beyond its designed bounds, each cycle and axis (n, 2) [m]; negative inside."""
     excess = np.maximum(trace.zmp_est - trace.zmp_upper, trace.zmp_lower - trace.zmp_est)
     return np.asarray(excess[trace.phase == 1] if single_support else excess)
+
+
+def sole_yaw(foot: np.ndarray) -> np.ndarray:
+    """Direction of a sole's x axis on the ground (...) [rad], of poses (..., 7): position, quaternion (w, x, y, z)."""
+    w, x, y, z = np.moveaxis(np.asarray(foot)[..., 3:], -1, 0)
+    return np.arctan2(2 * (w * z + x * y), w * w + x * x - y * y - z * z)
+
+
+def feet_pose(foot_left: np.ndarray, foot_right: np.ndarray) -> np.ndarray:
+    """Where the feet stand: the middle of the soles and their mean yaw.
+
+    Args:
+        foot_left, foot_right: sole poses (..., 7): position [m], quaternion.
+
+    Returns:
+        (..., 3): x, y [m], yaw in (-pi, pi] [rad], W.
+
+    Usage: `feet_pose(trace.foot_left, trace.foot_right)[-1]`
+    """
+    left, right = np.asarray(foot_left), np.asarray(foot_right)
+    yaws = np.stack([sole_yaw(left), sole_yaw(right)])
+    yaw = np.arctan2(np.sin(yaws).sum(0), np.cos(yaws).sum(0))
+    return np.concatenate([(left[..., :2] + right[..., :2]) / 2, yaw[..., None]], axis=-1)
+
+
+def planned_path(trace: Any) -> np.ndarray:
+    """Where the planned velocity leads from where the feet stood first (T, 3): x, y [m], yaw (unwrapped) [rad], W.
+
+    Each cycle turns and goes with its own v_plan: exact where that is held.
+    """
+    start = feet_pose(trace.foot_left[0], trace.foot_right[0])
+    turn = trace.v_plan[:-1, 2] * np.diff(trace.t)
+    yaw = start[2] + np.concatenate([[0.0], np.cumsum(turn)])
+    middle = yaw[:-1] + turn / 2  # the chord of an arc of `turn`
+    step = trace.v_plan[:-1, :2] * (np.diff(trace.t) * np.sinc(turn / 2 / np.pi))[:, None]
+    c, s = np.cos(middle), np.sin(middle)
+    world = np.stack([c * step[:, 0] - s * step[:, 1], s * step[:, 0] + c * step[:, 1]], axis=-1)
+    return np.column_stack([start[:2] + np.vstack([np.zeros(2), np.cumsum(world, axis=0)]), yaw])

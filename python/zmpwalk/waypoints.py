@@ -1,0 +1,202 @@
+"""Walking to places: a velocity command that leads the walk from pose to pose."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Iterable, Sequence, Tuple
+
+import numpy as np
+
+from .analysis import feet_pose
+from .errors import DimensionError, InputError
+
+__all__ = ["Waypoints"]
+
+GRAVITY = 9.81  # only scales defaults [m/s^2]
+Command = Tuple[float, float, float]
+
+
+class Waypoints:
+    """Velocity commands that lead a walk to one pose after the other.
+
+    Far from a point the walk turns towards it and goes forward along the line from the point before, steering at a
+    carrot ahead on that line; within `near` it goes straight there in any direction and turns to the point's heading.
+    Speed falls with the distance d left as min(speed, sqrt(2 deceleration d), d / settle), turning likewise as
+    angle / settle. At a point without a heading, and not the last, it does not slow down.
+
+    Lengths and times scale with the robot where they are None: z_c is the height of the COM over the soles at the first
+    call, and T_c = sqrt(z_c / g), 0.73 m and 0.27 s for mahru.
+
+    Args:
+        points: (x, y, yaw) or, for any heading, (x, y): W [m, rad].
+        speed: forward, at most [m/s]; None is 0.1 z_c / T_c.
+        sideways_speed: also backward, near a point [m/s]; None is 0.4 `speed`.
+        turn_rate: at most [rad/s]; None is 0.1 / T_c.
+        deceleration: before a stop [m/s^2]; None is 0.01 g, which leaves a few steps to stop in.
+        settle: time constant of the last approach and of turning [s]; None is 6 T_c, twice a step: a command takes a
+            step to act, and a quicker pull would overshoot.
+        near: distance from which on it moves in any direction [m]; None is 0.6 z_c, about two steps.
+        position_tolerance: a point is reached within it [m]; None is 0.02 z_c.
+        heading_tolerance: and within it [rad].
+        pause: standing time at each point before going on [s].
+
+    Fields: `index` of the point walked to (the number of points after the last), `done`.
+
+    Raises:
+        InputError: no points, a number that is not finite, a limit that is not positive.
+        DimensionError: a point with neither two nor three numbers.
+
+    Usage: `zmpwalk.simulate("mahru", command=zmpwalk.Waypoints([(1, 0, 0), (1, 1, math.pi / 2)]), duration=30)`
+    """
+
+    def __init__(
+        self,
+        points: Iterable[Sequence[float]],
+        speed: float | None = None,
+        sideways_speed: float | None = None,
+        turn_rate: float | None = None,
+        deceleration: float | None = None,
+        settle: float | None = None,
+        near: float | None = None,
+        position_tolerance: float | None = None,
+        heading_tolerance: float = math.radians(2.0),
+        pause: float = 0.0,
+    ):
+        self.points = [_point(i, point) for i, point in enumerate(points)]
+        if not self.points:
+            raise InputError("no waypoints; give at least one (x, y, yaw)")
+        self.speed = _positive("speed", speed)
+        self.sideways_speed = _positive("sideways_speed", sideways_speed)
+        self.turn_rate = _positive("turn_rate", turn_rate)
+        self.deceleration = _positive("deceleration", deceleration)
+        self.settle = _positive("settle", settle)
+        self.near = _positive("near", near)
+        self.position_tolerance = _positive("position_tolerance", position_tolerance)
+        self.heading_tolerance = _positive("heading_tolerance", heading_tolerance)
+        if not (math.isfinite(pause) and pause >= 0):
+            raise InputError(f"pause is {pause:g} s; it must be finite and not negative")
+        self.pause = pause
+        self.restart()
+
+    def restart(self) -> None:
+        """Begin again with the first point."""
+        self._index, self._start, self._resume = 0, None, -math.inf
+
+    @property
+    def index(self) -> int:
+        """Of the point that is walked to; the number of points when all are reached."""
+        return self._index
+
+    @property
+    def done(self) -> bool:
+        """Every point was reached, and the command is zero."""
+        return self._index == len(self.points)
+
+    def __call__(self, t: float, out: Any) -> Command:
+        """The command for the state of a cycle.
+
+        Args:
+            t: [s].
+            out: the cycle's `CycleOutput`: feet, heading, COM.
+
+        Returns:
+            (vx, vy, wz), heading frame [m/s, m/s, rad/s].
+
+        Usage: `controller.command(*follower(data.time, controller.update(data)))`
+        """
+        x, y, yaw = feet_pose(out.foot_left, out.foot_right)
+        if self._start is None:
+            self._fill(out.com[2] - min(out.foot_left[2], out.foot_right[2]))
+            self._start = np.array([x, y])
+        while not self.done and self._reached(np.array([x, y]), yaw):
+            self._start = np.array(self.points[self._index][:2])
+            self._index += 1
+            self._resume = t + self.pause
+        if self.done or t < self._resume:
+            return 0.0, 0.0, 0.0
+        return self._towards(np.array([x, y]), yaw)
+
+    def _fill(self, z_c: float) -> None:
+        """Limits that were left to the robot, from its natural length and time."""
+        Tc = math.sqrt(z_c / GRAVITY)
+        natural = {
+            "speed": 0.1 * z_c / Tc,
+            "turn_rate": 0.1 / Tc,
+            "deceleration": 0.01 * GRAVITY,
+            "settle": 6.0 * Tc,
+            "near": 0.6 * z_c,
+            "position_tolerance": 0.02 * z_c,
+        }
+        for name, value in natural.items():
+            if math.isnan(getattr(self, name)):
+                setattr(self, name, value)
+        if math.isnan(self.sideways_speed):
+            self.sideways_speed = 0.4 * self.speed
+
+    def _stops(self) -> bool:
+        """Whether the walk comes to rest at the point, rather than passing it."""
+        return self._index == len(self.points) - 1 or not math.isnan(self.points[self._index][2]) or self.pause > 0
+
+    def _reached(self, p: np.ndarray, yaw: float) -> bool:
+        goal = self.points[self._index]
+        distance = math.dist(p, goal[:2])
+        if not self._stops():
+            return distance < self.near
+        turned = math.isnan(goal[2]) or abs(_wrap(goal[2] - yaw)) < self.heading_tolerance
+        return distance < self.position_tolerance and turned
+
+    def _towards(self, p: np.ndarray, yaw: float) -> Command:
+        goal = np.array(self.points[self._index])
+        rest = goal[:2] - p
+        d = math.hypot(*rest)
+        speed = self.speed
+        if self._stops():
+            speed = min(speed, math.sqrt(2 * self.deceleration * d), d / self.settle)
+        if d > self.near:  # turn to the carrot, forward as far as that is ahead
+            line = goal[:2] - self._start
+            length = math.hypot(*line)
+            carrot = goal[:2]
+            if length > 0:
+                ahead = np.dot(p - self._start, line) / length + 2 * self.speed * self.settle
+                carrot = self._start + min(ahead, length) * line / length
+            off = _wrap(math.atan2(*(carrot - p)[::-1]) - yaw)
+            return speed * max(0.0, math.cos(off)) ** 2, 0.0, self._turn(off)
+        along, left = (math.cos(yaw), math.sin(yaw)), (-math.sin(yaw), math.cos(yaw))
+        v = np.array([np.dot(rest, along), np.dot(rest, left)]) * (speed / max(d, 1e-9))
+        forward = self.speed if v[0] > 0 else self.sideways_speed
+        vx, vy = v / max(1.0, math.hypot(v[0] / forward, v[1] / self.sideways_speed))
+        return float(vx), float(vy), 0.0 if math.isnan(goal[2]) else self._turn(_wrap(goal[2] - yaw))
+
+    def _turn(self, angle: float) -> float:
+        return max(-self.turn_rate, min(self.turn_rate, angle / self.settle))
+
+    def __repr__(self) -> str:
+        return f"Waypoints({len(self.points)} points, {'done' if self.done else f'at {self._index}'})"
+
+
+def _point(i: int, point: Sequence[float]) -> Command:
+    """(x, y, yaw), yaw NaN where none is asked for."""
+    try:
+        numbers = [float(number) for number in point]
+    except (TypeError, ValueError):
+        raise InputError(f"waypoint {i} is {point!r}; it is (x, y, yaw) or (x, y)") from None
+    if len(numbers) not in (2, 3):
+        raise DimensionError(f"waypoint {i} has {len(numbers)} numbers; it is (x, y, yaw) or (x, y)")
+    if not all(map(math.isfinite, numbers)):
+        raise InputError(f"waypoint {i} is {point!r}; its numbers must be finite")
+    x, y, yaw = numbers if len(numbers) == 3 else (*numbers, math.nan)
+    return x, y, yaw
+
+
+def _positive(name: str, value: float | None) -> float:
+    """`value`, NaN where it is left to the robot."""
+    if value is None:
+        return math.nan
+    if not (math.isfinite(value) and value > 0):
+        raise InputError(f"{name} is {value:g}; it must be positive and finite")
+    return float(value)
+
+
+def _wrap(angle: float) -> float:
+    """The same angle in [-pi, pi)."""
+    return (angle + math.pi) % (2 * math.pi) - math.pi
