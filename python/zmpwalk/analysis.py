@@ -13,6 +13,7 @@ __all__ = [
     "Window",
     "bound_excess",
     "feet_pose",
+    "mean_velocity",
     "midstance_offset",
     "planned_path",
     "sole_yaw",
@@ -125,3 +126,19 @@ def planned_path(trace: Any) -> np.ndarray:
     c, s = np.cos(middle), np.sin(middle)
     world = np.stack([c * step[:, 0] - s * step[:, 1], s * step[:, 0] + c * step[:, 1]], axis=-1)
     return np.column_stack([start[:2] + np.vstack([np.zeros(2), np.cumsum(world, axis=0)]), yaw])
+
+
+def mean_velocity(before: np.ndarray, after: np.ndarray, seconds: float) -> np.ndarray:
+    """The constant (vx, vy, wz) in the heading frame that leads from one pose to another (3,) [m/s, m/s, rad/s].
+
+    Args:
+        before, after: (x, y, yaw) [m, rad], W; the shorter way round is taken.
+        seconds: between them [s].
+
+    Usage: `mean_velocity(poses[0], poses[1600], 1.6)`
+    """
+    turn = (after[2] - before[2] + np.pi) % (2 * np.pi) - np.pi
+    middle = before[2] + turn / 2
+    c, s = np.cos(middle), np.sin(middle)
+    dx, dy = (np.asarray(after[:2]) - before[:2]) / np.sinc(turn / 2 / np.pi)  # the arc of that chord
+    return np.array([c * dx + s * dy, -s * dx + c * dy, turn]) / seconds
