@@ -104,12 +104,13 @@ __all__ = [
     "simulate",
     "simulate_batch",
     "solve_reference",
+    "view",
 ]
 
 
 def __getattr__(name: str) -> ModuleType:
     """What is slow to import, imported when first asked for."""
-    if name in ("plot", "render"):
+    if name in ("plot", "render", "view"):
         from importlib import import_module
 
         return import_module(f".{name}", __name__)

@@ -513,6 +513,24 @@ def settings(robot: str, settings: Any) -> int:
     return STOOD
 
 
+# --- view
+
+
+@cli.command()
+@_robot_option
+@_settings_options
+@click.option("--speed", type=float, default=1.0, show_default=True, help="Simulated seconds in a second.")
+@click.option("--size", default="1280x800", show_default=True, help="Width x height of the window.")
+@click.option("--no-shadows", is_flag=True, help="Draw no shadows and reflections: faster without a graphics card.")
+def view(robot: str, settings: Any, speed: float, size: str, no_shadows: bool) -> int:
+    """Open a window on a robot that the keyboard walks: W S A D, arrows, space; R restarts, Esc quits."""
+    from .view import view as show
+
+    width, height = _size(size)
+    show(robot, settings, speed, width, height, shadows=not no_shadows)
+    return STOOD
+
+
 # --- plot
 
 

@@ -362,14 +362,28 @@ def crosses(
 def _camera(model: mujoco.MjModel, data: mujoco.MjData, camera: Camera) -> mujoco.MjvCamera:
     if isinstance(camera, mujoco.MjvCamera):
         return camera
-    view = mujoco.MjvCamera()
     if isinstance(camera, str):
+        view = mujoco.MjvCamera()
         view.fixedcamid = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_CAMERA, camera)
         if view.fixedcamid < 0:
             names = [mujoco.mj_id2name(model, mujoco.mjtObj.mjOBJ_CAMERA, i) for i in range(model.ncam)]
             raise InputError(f"no camera '{camera}'; the model has {', '.join(filter(None, names)) or 'none'}")
         view.type = mujoco.mjtCamera.mjCAMERA_FIXED
         return view
+    view = default_camera(model, data)
+    for key, value in dict(camera or {}).items():
+        if key not in ("lookat", "distance", "azimuth", "elevation"):
+            raise InputError(f"a camera has no '{key}'; it has lookat, distance, azimuth, elevation")
+        if key == "lookat":
+            view.lookat[:] = value
+        else:
+            setattr(view, key, value)
+    return view
+
+
+def default_camera(model: mujoco.MjModel, data: mujoco.MjData) -> mujoco.MjvCamera:
+    """A free camera that looks at the heaviest tree from ahead and the right."""
+    view = mujoco.MjvCamera()
     view.type = mujoco.mjtCamera.mjCAMERA_FREE
     free = np.flatnonzero(model.jnt_type == mujoco.mjtJoint.mjJNT_FREE)
     heaviest = max(free, key=lambda j: model.body_subtreemass[model.jnt_bodyid[j]]) if len(free) else None
@@ -379,13 +393,6 @@ def _camera(model: mujoco.MjModel, data: mujoco.MjData, camera: Camera) -> mujoc
     view.azimuth, view.elevation = AZIMUTH, ELEVATION
     robot_height = 1.9 * max(com[2], 0.1)  # the COM of humanoids is a little above the half
     view.distance = robot_height / FILLED / 2 / np.tan(np.radians(model.vis.global_.fovy) / 2)
-    for key, value in dict(camera or {}).items():
-        if key not in ("lookat", "distance", "azimuth", "elevation"):
-            raise InputError(f"a camera has no '{key}'; it has lookat, distance, azimuth, elevation")
-        if key == "lookat":
-            view.lookat[:] = value
-        else:
-            setattr(view, key, value)
     return view
 
 
