@@ -57,7 +57,7 @@ from .proposal import Proposal, propose
 from .settings import load_settings, settings_toml
 from .simulation import Recorder, WalkingController, simulate, simulate_batch
 from .trace import Trace
-from .waypoints import Waypoints
+from .waypoints import Waypoints, walk_to
 
 __all__ = [
     "ContactSpace",
@@ -105,6 +105,7 @@ __all__ = [
     "simulate_batch",
     "solve_reference",
     "view",
+    "walk_to",
 ]
 
 

@@ -221,9 +221,7 @@ class Window:
             raise Error(f"cannot open a window: {'; '.join(said) or 'GLFW does not say why'}")
         glfw.make_context_current(self._window)
         glfw.swap_interval(1)
-        self._names = {
-            getattr(glfw, f"KEY_{name}"): name for name in (*Steering.KEYS, "SPACE", "R", "ESCAPE")
-        }
+        self._names = {getattr(glfw, f"KEY_{name}"): name for name in (*Steering.KEYS, "SPACE", "R", "ESCAPE")}
         try:
             self._scene = Scene(walk.model, shadows)
         except mujoco.FatalError as error:
