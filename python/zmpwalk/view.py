@@ -27,6 +27,11 @@ CAMERA_LAG = 0.5  # time constant with which the camera goes after the robot [s]
 AZIMUTH, ELEVATION = 20.0, -15.0  # from behind, so that left is left [deg]
 ZOOM = 0.05  # part of the distance for a notch of the wheel
 
+AXES = {  # of the command, and which way
+    "W": (0, 1), "UP": (0, 1), "S": (0, -1), "DOWN": (0, -1), "A": (1, 1), "D": (1, -1), "LEFT": (2, 1),
+    "RIGHT": (2, -1),
+}  # fmt: skip
+
 
 class Steering:
     """Makes keys into a velocity command; knows of no window.
@@ -41,11 +46,6 @@ class Steering:
     Usage: `steering = Steering((0.05, 0.03, 0.1), (0.6, 0.15, 0.5)); steering.press("W"); steering.command`
     """
 
-    KEYS = {
-        "W": (0, 1), "UP": (0, 1), "S": (0, -1), "DOWN": (0, -1), "A": (1, 1), "D": (1, -1),
-        "LEFT": (2, 1), "RIGHT": (2, -1),
-    }  # fmt: skip
-
     def __init__(self, step: Sequence[float], limit: Sequence[float]):
         self._step, self._limit = np.array(step, float), np.array(limit, float)
         for name, values in (("step", self._step), ("limit", self._limit)):
@@ -56,14 +56,15 @@ class Steering:
         self._presses = np.zeros(3)  # whole steps, so that as many back end at zero
 
     @classmethod
-    def scaled(cls, com_height: float, Tc: float) -> Steering:
-        """Steps and limits for a robot's size: 0.6 m/s, 0.15 m/s and 0.5 rad/s for mahru, in ten and five steps.
+    def of(cls, controller: WalkingController) -> Steering:
+        """Steps and limits for a robot: 0.6 m/s, 0.15 m/s and 0.5 rad/s for mahru in ten and five steps, where its legs
+        reach so far.
 
         Args:
-            com_height: z_c [m].
-            Tc: sqrt(z_c / g) [s].
+            controller: of which COM height and reach are taken.
         """
-        limit = np.array([0.22 * com_height, 0.055 * com_height, 0.14]) / Tc
+        limit = np.array([0.22 * controller.com_height, 0.055 * controller.com_height, 0.14]) / controller.Tc
+        limit = np.array([controller.within_reach(axis)[i] for i, axis in enumerate(np.diag(limit))])
         return cls(limit / (10, 5, 5), limit)
 
     @property
@@ -86,8 +87,8 @@ class Steering:
         before = self.command
         if key == "SPACE":
             self._presses[:] = 0
-        elif key in self.KEYS:
-            axis, sign = self.KEYS[key]
+        elif key in AXES:
+            axis, sign = AXES[key]
             most = math.ceil(self._limit[axis] / self._step[axis] - 1e-9)
             self._presses[axis] = max(-most, min(most, self._presses[axis] + sign))
         return self.command != before
@@ -99,7 +100,7 @@ class LiveWalk:
     Args:
         robot: what `load_robot` takes.
         settings: None takes `WalkSettings()`.
-        steering: None takes `Steering.scaled`.
+        steering: None takes `Steering.of`.
 
     Fields: `model`, `data`, `controller`, `steering`, `out` (the last cycle's), `closed`.
 
@@ -114,9 +115,8 @@ class LiveWalk:
     ):
         self.model, self._description = load_robot(robot)
         self.data = mujoco.MjData(self.model)
-        standing = VelocityProfile.constant(0.0)
-        self.controller = WalkingController(self.model, self._description, settings, standing)
-        self.steering = steering or Steering.scaled(self.controller.com_height, self.controller.Tc)
+        self.controller = WalkingController(self.model, self._description, settings, VelocityProfile.constant(0.0))
+        self.steering = steering or Steering.of(self.controller)
         self.closed = False
         self.restart()
 
@@ -221,7 +221,7 @@ class Window:
             raise Error(f"cannot open a window: {'; '.join(said) or 'GLFW does not say why'}")
         glfw.make_context_current(self._window)
         glfw.swap_interval(1)
-        self._names = {getattr(glfw, f"KEY_{name}"): name for name in (*Steering.KEYS, "SPACE", "R", "ESCAPE")}
+        self._names = {getattr(glfw, f"KEY_{name}"): name for name in (*AXES, "SPACE", "R", "ESCAPE")}
         try:
             self._scene = Scene(walk.model, shadows)
         except mujoco.FatalError as error:

@@ -55,7 +55,7 @@ class Waypoints:
         InputError: no points, a number that is not finite, a limit that is not positive.
         DimensionError: a point with neither two nor three numbers.
 
-    Usage: `zmpwalk.simulate("mahru", command=zmpwalk.Waypoints([(1, 0, 0), (1, 1, math.pi / 2)]), duration=30)`
+    Usage: `follower = zmpwalk.Waypoints([(1, 0, 0), (1, 1, math.pi / 2)], speed=0.2)`, then see `__call__`
     """
 
     def __init__(

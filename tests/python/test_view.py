@@ -7,6 +7,7 @@ import sys
 
 import numpy as np
 import pytest
+import zmpwalk
 from zmpwalk import InputError
 from zmpwalk.view import LiveWalk, Steering, view
 
@@ -46,14 +47,19 @@ def test_press_says_whether_the_command_changed(steering):
     assert [steering.press(key) for key in ("SPACE", "W", "W", "W", "W", "Q", "SPACE")] == [0, 1, 1, 1, 0, 0, 1]
 
 
-def test_steering_scales_with_the_robot():
-    mahru, small = Steering.scaled(0.73, 0.273), Steering.scaled(0.73 / 4, 0.273 / 2)
-    for key in ("W", "A", "LEFT"):
+def test_steering_goes_as_far_as_the_robot_s_size_and_reach():
+    model, description = zmpwalk.load_robot("mahru")
+    controller = zmpwalk.WalkingController(model, description)
+    steering = Steering.of(controller)
+    for axis, key in enumerate(("W", "A", "LEFT")):
+        steering.press("SPACE")
         for _ in range(20):
-            mahru.press(key)
-            small.press(key)
-    assert mahru.command == pytest.approx((0.59, 0.147, 0.51), abs=0.01)
-    assert small.command == pytest.approx(np.array(mahru.command) * (0.5, 0.5, 2))
+            steering.press(key)
+        assert steering.command[axis] == pytest.approx((0.6, 0.147, 0.5)[axis], rel=0.03)
+        assert controller.reach_share(steering.command) <= 1
+        for _ in range((10, 5, 5)[axis]):
+            steering.press({"W": "S", "A": "D", "LEFT": "RIGHT"}[key])
+        assert steering.command == (0, 0, 0)
 
 
 def test_bad_steering_is_refused():
@@ -66,15 +72,15 @@ def test_bad_steering_is_refused():
 
 
 def test_a_walk_obeys_keys_within_a_step_or_two_and_restarts():
-    walk = LiveWalk("mahru", steering=Steering((0.2, 0.05, 0.2), (0.2, 0.1, 0.4)))
+    walk = LiveWalk("mahru", steering=Steering((0.1, 0.05, 0.2), (0.1, 0.1, 0.4)))
     start = walk.data.qpos.copy()
     walk.advance(1.0)
     assert np.abs(walk.velocity).max() < 0.01  # stands
     walk.press("W")
     for _ in range(50):
         walk.advance(0.1)
-    assert walk.velocity[0] == pytest.approx(0.2, abs=0.03)
-    assert walk.words["asked"].startswith("forward +0.20 m/s")
+    assert walk.velocity[0] == pytest.approx(0.1, abs=0.02)
+    assert walk.words["asked"].startswith("forward +0.10 m/s")
     assert walk.words["walks"].startswith(f"forward {walk.velocity[0]:+.2f} m/s")
     walk.press("SPACE")
     for _ in range(40):
