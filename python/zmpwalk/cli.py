@@ -141,7 +141,7 @@ def _walk_options(command: Callable) -> Callable:
         "--profile",
         default="paper",
         show_default=True,
-        help='Planned velocity: paper, a CSV file, "0.2" or "0:0.063,0.8:0.156".',
+        help='Planned velocity: paper, a CSV file (FILE:linear joins its rows), "0.2" or "0:0.1,5:0.2/0/0.3".',
     )
     duration = click.option("--duration", type=float, default=8.0, show_default=True, help="Simulated time [s].")
     return _robot_option(profile(duration(_settings_options(command))))

@@ -221,8 +221,8 @@ def walk_to(
         **limits: speed, tolerances and so on, as for `Waypoints`.
 
     Returns:
-        The trace, until the robot is at rest at the last point, fell, or ran out of time; `meta["waypoints"]` is
-        {"points", "reached": how many of them}.
+        The trace, until the robot has stood for `settle` at the last point, fell, or ran out of time;
+        `meta["waypoints"]` is {"points", "reached": how many of them}.
 
     Raises:
         InputError, DimensionError: as `Waypoints`, or a bad timeout.  ModelError: a robot that cannot be used.
@@ -237,13 +237,15 @@ def walk_to(
     controller.reset(data)
     recorder = Recorder(controller, robot if isinstance(robot, str) and robot.isidentifier() else None)
     every = max(1, round(COMMAND_PERIOD / model.opt.timestep))
+    rest = 0.0
     for tick in range(round(timeout / model.opt.timestep)):
         out = controller.update(data)
         if tick % every == 0:
             controller.command(*follower(data.time, out))
         mujoco.mj_step(model, data)
         recorder.add(out, data)
-        if out.fell or (follower.done and out.at_rest):
+        rest = rest + model.opt.timestep if follower.done and out.at_rest else 0.0
+        if out.fell or rest > follower.settle:
             break
         if on_progress and tick % (5 * every) == 0:
             on_progress(data.time, timeout)
