@@ -82,10 +82,6 @@ class Scene:
                 mujoco.mjv_initGeom(self._scene.geoms[self._scene.ngeom], box, size, centre, upright, rgba)
                 self._scene.ngeom += 1
 
-    def move(self, view: mujoco.MjvCamera, action: mujoco.mjtMouse, dx: float, dy: float) -> None:
-        """Move a camera as the mouse does, by parts of the window's height."""
-        mujoco.mjv_moveCamera(self._model, action, dx, dy, self._scene, view)
-
     def read(self, viewport: mujoco.MjrRect) -> np.ndarray:
         """What was drawn (height, width, 3) uint8, first row on top."""
         image = np.empty((viewport.height, viewport.width, 3), np.uint8)

@@ -25,7 +25,7 @@ HELP = "W S forward, A D sideways, arrows too (left, right: turn), space stop, R
 LONGEST_FRAME = 0.1  # what a frame may simulate: a slow machine shows slow motion instead of a standstill [s]
 CAMERA_LAG = 0.5  # time constant with which the camera goes after the robot [s]
 AZIMUTH, ELEVATION = 20.0, -15.0  # from behind, so that left is left [deg]
-ZOOM = 0.05  # part of the distance for a notch of the wheel
+ZOOM = 0.05  # of the distance's logarithm for a notch of the wheel
 
 AXES = {  # of the command, and which way
     "W": (0, 1), "UP": (0, 1), "S": (0, -1), "DOWN": (0, -1), "A": (1, 1), "D": (1, -1), "LEFT": (2, 1),
@@ -242,17 +242,17 @@ class Window:
     def cursor(self, window: Any, x: float, y: float) -> None:
         """GLFW's cursor callback: the left button turns the view, the right one comes nearer or goes away."""
         (x0, y0), self._mouse = self._mouse, (x, y)
-        height = max(1, self._glfw.get_window_size(self._window)[1])
-        for button, action in (
-            (self._glfw.MOUSE_BUTTON_LEFT, mujoco.mjtMouse.mjMOUSE_ROTATE_V),
-            (self._glfw.MOUSE_BUTTON_RIGHT, mujoco.mjtMouse.mjMOUSE_ZOOM),
-        ):
-            if self._glfw.get_mouse_button(self._window, button) == self._glfw.PRESS:
-                self._scene.move(self._camera, action, (x - x0) / height, (y - y0) / height)
+        glfw, view = self._glfw, self._camera
+        across, down = (np.array([x - x0, y - y0]) / max(1, glfw.get_window_size(self._window)[1])).tolist()
+        if glfw.get_mouse_button(self._window, glfw.MOUSE_BUTTON_LEFT) == glfw.PRESS:
+            view.azimuth -= 180 * across
+            view.elevation = max(-90.0, min(90.0, view.elevation - 180 * down))
+        elif glfw.get_mouse_button(self._window, glfw.MOUSE_BUTTON_RIGHT) == glfw.PRESS:
+            view.distance *= math.exp(down)
 
     def scroll(self, window: Any, dx: float, dy: float) -> None:
         """GLFW's scroll callback: up comes nearer."""
-        self._scene.move(self._camera, mujoco.mjtMouse.mjMOUSE_ZOOM, 0.0, -ZOOM * dy)
+        self._camera.distance *= math.exp(-ZOOM * dy)
 
     def frame(self, seconds: float) -> None:
         """Let the walk go on, draw it, and take what keyboard and mouse did.

@@ -150,6 +150,7 @@ def frame(window, walk):
         window.key(None, glfw.KEY_F1, 0, glfw.PRESS, 0)
     if count == 3:
         window.scroll(None, 0.0, 5.0)
+        window.cursor(None, 30.0, 40.0)  # no button is down
     if count == 5:
         print(*walk.steering.command)
         window.key(None, glfw.KEY_ESCAPE, 0, glfw.PRESS, 0)
