@@ -58,6 +58,7 @@ from .proposal import Proposal, propose
 from .settings import load_settings, settings_toml
 from .simulation import Recorder, WalkingController, simulate, simulate_batch
 from .trace import Trace
+from .waypoints import Waypoints, walk_to
 
 __all__ = [
     "ContactSpace",
@@ -83,6 +84,7 @@ __all__ = [
     "VersionError",
     "WalkSettings",
     "WalkingController",
+    "Waypoints",
     "WholeBodyController",
     "ZmpEstimator",
     "__version__",
@@ -104,12 +106,14 @@ __all__ = [
     "simulate",
     "simulate_batch",
     "solve_reference",
+    "view",
+    "walk_to",
 ]
 
 
 def __getattr__(name: str) -> ModuleType:
     """What is slow to import, imported when first asked for."""
-    if name in ("plot", "render"):
+    if name in ("plot", "render", "view"):
         from importlib import import_module
 
         return import_module(f".{name}", __name__)

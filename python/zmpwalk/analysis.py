@@ -1,4 +1,4 @@
-"""What a walk's acceptance is read from: switch times, ZMP windows, offsets at mid-stance, errors by phase.
+"""What a walk's acceptance is read from: switch times, ZMP windows, offsets at mid-stance, errors by phase, the path.
 
 Every function takes a `Trace`, or anything with the same columns as attributes.
 """
@@ -9,7 +9,19 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-__all__ = ["Window", "bound_excess", "midstance_offset", "switch_times", "yaw_moment", "zmp_error", "zmp_windows"]
+__all__ = [
+    "Window",
+    "bound_excess",
+    "feet_pose",
+    "mean_velocity",
+    "midstance_offset",
+    "planned_path",
+    "sole_yaw",
+    "switch_times",
+    "yaw_moment",
+    "zmp_error",
+    "zmp_windows",
+]
 
 
 class Window(NamedTuple):
@@ -104,3 +116,57 @@ def yaw_moment(trace: Any, about: str = "zmp") -> np.ndarray:
         arm = foot[:, :2] - point
         moment += own[:, 2] + arm[:, 0] * force[:, 1] - arm[:, 1] * force[:, 0]
     return moment[np.isfinite(trace.zmp_meas).all(axis=1)]
+
+
+def sole_yaw(foot: np.ndarray) -> np.ndarray:
+    """Direction of a sole's x axis on the ground (...) [rad], of poses (..., 7): position, quaternion (w, x, y, z)."""
+    w, x, y, z = np.moveaxis(np.asarray(foot)[..., 3:], -1, 0)
+    return np.arctan2(2 * (w * z + x * y), w * w + x * x - y * y - z * z)
+
+
+def feet_pose(foot_left: np.ndarray, foot_right: np.ndarray) -> np.ndarray:
+    """Where the feet stand: the middle of the soles and their mean yaw.
+
+    Args:
+        foot_left, foot_right: sole poses (..., 7): position [m], quaternion.
+
+    Returns:
+        (..., 3): x, y [m], yaw in (-pi, pi] [rad], W.
+
+    Usage: `feet_pose(trace.foot_left, trace.foot_right)[-1]`
+    """
+    left, right = np.asarray(foot_left), np.asarray(foot_right)
+    yaws = np.stack([sole_yaw(left), sole_yaw(right)])
+    yaw = np.arctan2(np.sin(yaws).sum(0), np.cos(yaws).sum(0))
+    return np.concatenate([(left[..., :2] + right[..., :2]) / 2, yaw[..., None]], axis=-1)
+
+
+def planned_path(trace: Any) -> np.ndarray:
+    """Where the planned velocity leads from where the feet stood first (T, 3): x, y [m], yaw (unwrapped) [rad], W.
+
+    Each cycle turns and goes with its own v_plan: exact where that is held.
+    """
+    start = feet_pose(trace.foot_left[0], trace.foot_right[0])
+    turn = trace.v_plan[:-1, 2] * np.diff(trace.t)
+    yaw = start[2] + np.concatenate([[0.0], np.cumsum(turn)])
+    middle = yaw[:-1] + turn / 2  # the chord of an arc of `turn`
+    step = trace.v_plan[:-1, :2] * (np.diff(trace.t) * np.sinc(turn / 2 / np.pi))[:, None]
+    c, s = np.cos(middle), np.sin(middle)
+    world = np.stack([c * step[:, 0] - s * step[:, 1], s * step[:, 0] + c * step[:, 1]], axis=-1)
+    return np.column_stack([start[:2] + np.vstack([np.zeros(2), np.cumsum(world, axis=0)]), yaw])
+
+
+def mean_velocity(before: np.ndarray, after: np.ndarray, seconds: float) -> np.ndarray:
+    """The constant (vx, vy, wz) in the heading frame that leads from one pose to another (3,) [m/s, m/s, rad/s].
+
+    Args:
+        before, after: (x, y, yaw) [m, rad], W; the shorter way round is taken.
+        seconds: between them [s].
+
+    Usage: `mean_velocity(poses[0], poses[1600], 1.6)`
+    """
+    turn = (after[2] - before[2] + np.pi) % (2 * np.pi) - np.pi
+    middle = before[2] + turn / 2
+    c, s = np.cos(middle), np.sin(middle)
+    dx, dy = (np.asarray(after[:2]) - before[:2]) / np.sinc(turn / 2 / np.pi)  # the arc of that chord
+    return np.array([c * dx + s * dy, -s * dx + c * dy, turn]) / seconds

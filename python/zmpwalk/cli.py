@@ -1,4 +1,4 @@
-"""The command `zmpwalk`: walk, plot, inspect, bench.
+"""The command `zmpwalk`: walk, view, plot, video, inspect, settings, bench.
 
 Exit codes: 0 the robot stood to the end, 3 it fell (everything is written all the same), 2 bad input (one line on
 stderr, nothing written), 130 stopped by Ctrl-C (nothing written), 1 a fault of zmpwalk's own.
@@ -29,8 +29,9 @@ __all__ = ["cli", "main"]
 
 STOOD, FAULT, BAD_INPUT, FELL, INTERRUPTED = 0, 1, 2, 3, 130
 FIGURE_FILES = tuple(
-    f"fig{number}.png" for number in ("2_iteration", "4_tracking", "5_switch", "6_velocity", "7_sagittal", "8_lateral")
-)
+    f"{name}.png"
+    for name in ("fig2_iteration", "fig4_tracking", "fig5_switch", "fig6_velocity", "fig7_sagittal", "fig8_lateral")
+) + ("footprints.png",)
 FOOTSTEPS = ("tied", "absolute", "paper", "printed")
 MISMATCH = 0.002  # of footsteps and planned velocity worth a warning [m/s]; 0.004 fells the literal law within 30 s
 
@@ -126,25 +127,32 @@ def _settings_options(command: Callable) -> Callable:
     return with_settings
 
 
-# --- walk
-
-
-@cli.command()
-@click.option(
+_robot_option = click.option(
     "--robot",
     default="mahru",
     show_default=True,
     help="A robot's name, menagerie:NAME, or a path to a robot.json or an .xml.",
 )
-@click.option(
-    "--profile",
-    default="paper",
-    show_default=True,
-    help='Planned velocity: paper, a CSV file, "0.2" or "0:0.063,0.8:0.156".',
-)
+
+
+def _walk_options(command: Callable) -> Callable:
+    """What walks, along which velocities, for how long."""
+    profile = click.option(
+        "--profile",
+        default="paper",
+        show_default=True,
+        help='Planned velocity: paper, a CSV file (FILE:linear joins its rows), "0.2" or "0:0.1,5:0.2/0/0.3".',
+    )
+    duration = click.option("--duration", type=float, default=8.0, show_default=True, help="Simulated time [s].")
+    return _robot_option(profile(duration(_settings_options(command))))
+
+
+# --- walk
+
+
+@cli.command()
+@_walk_options
 @click.option("--motion", type=click.Path(path_type=Path), help="CSV of arm, waist, trunk angles: t,JOINT,...")
-@click.option("--duration", type=float, default=8.0, show_default=True, help="Simulated time [s].")
-@_settings_options
 @click.option("--out", type=click.Path(path_type=Path), help="Folder to write into.  [default: out/ROBOT-LAW]")
 @click.option("--json", "as_json", is_flag=True, help="Print the summary as JSON, and nothing else, on stdout.")
 @click.option("--no-figures", is_flag=True, help="Write trace and summary only.")
@@ -314,9 +322,9 @@ def _write(trace: Trace, folder: Path, no_figures: bool) -> list[Path]:
 def _remove_stale_figures(out: Path, files: list[Path]) -> None:
     """Figures of an earlier walk would tell lies beside the trace of this one."""
     new = {file.name for file in files}
-    for old in out.glob("fig[0-9]_*.png"):
-        if old.name not in new and old.name in FIGURE_FILES:
-            old.unlink()
+    for old in FIGURE_FILES:
+        if old not in new and (out / old).exists():
+            (out / old).unlink()
 
 
 class _Progress:
@@ -324,8 +332,9 @@ class _Progress:
 
     EVERY = 5.0  # lines apart in a file or pipe [s of wall time]
 
-    def __init__(self, duration: float):
+    def __init__(self, duration: float, verb: str = "walk"):
         self.t, self._duration, self._bar, self._next = 0.0, duration, None, 0.0  # type: float, float, Any, float
+        self._verb = verb
 
     def __enter__(self) -> _Progress:
         if sys.stderr.isatty():
@@ -333,16 +342,16 @@ class _Progress:
             from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 
             self._bar = Progress(
-                TextColumn("walking"),
+                TextColumn(f"{self._verb}ing"),
                 BarColumn(),
                 TextColumn("{task.completed:5.1f} of {task.total:g} s"),
                 TimeRemainingColumn(),
                 console=Console(stderr=True),
             )
             self._bar.start()
-            self._task = self._bar.add_task("walking", total=self._duration)
+            self._task = self._bar.add_task(self._verb, total=self._duration)
         else:
-            print(f"walking for {self._duration:g} s", file=sys.stderr, flush=True)
+            print(f"{self._verb}ing for {self._duration:g} s", file=sys.stderr, flush=True)
             self._next = time.monotonic() + self.EVERY
         return self
 
@@ -351,7 +360,7 @@ class _Progress:
         if self._bar is not None:
             self._bar.update(self._task, completed=t)
         elif time.monotonic() >= self._next:
-            print(f"walked {t:.1f} of {duration:g} s", file=sys.stderr, flush=True)
+            print(f"{self._verb}ed {t:.1f} of {duration:g} s", file=sys.stderr, flush=True)
             self._next = time.monotonic() + self.EVERY
 
     def __exit__(self, kind: Any, *rest: Any) -> None:
@@ -508,6 +517,24 @@ def settings(robot: str, settings: Any) -> int:
     return STOOD
 
 
+# --- view
+
+
+@cli.command()
+@_robot_option
+@_settings_options
+@click.option("--speed", type=float, default=1.0, show_default=True, help="Simulated seconds in a second.")
+@click.option("--size", default="1280x800", show_default=True, help="Width x height of the window.")
+@click.option("--no-shadows", is_flag=True, help="Draw no shadows and reflections: faster without a graphics card.")
+def view(robot: str, settings: Any, speed: float, size: str, no_shadows: bool) -> int:
+    """Open a window on a robot that the keyboard walks: W S A D, arrows, space; R restarts, Esc quits."""
+    from .view import view as show
+
+    width, height = _size(size)
+    show(robot, settings, speed, width, height, shadows=not no_shadows)
+    return STOOD
+
+
 # --- plot
 
 
@@ -519,7 +546,7 @@ def settings(robot: str, settings: Any) -> int:
     "figures",
     multiple=True,
     metavar="NAME",
-    help="iteration, tracking, switch, velocity, sagittal, lateral; all if not given.",
+    help="iteration, tracking, switch, velocity, sagittal, lateral, footprints; all if not given.",
 )
 @click.option(
     "--format", "kind", type=click.Choice(["png", "pdf", "svg"]), default="png", show_default=True, help="File format."
@@ -539,6 +566,81 @@ def plot(trace: Path, out: Path | None, figures: tuple[str, ...], kind: str) -> 
     for file in files:
         click.echo(str((out or trace.parent) / file.name))
     return STOOD
+
+
+# --- video
+
+
+@cli.command()
+@click.argument("trace", type=click.Path(path_type=Path), required=False)
+@_walk_options
+@click.option("--out", type=click.Path(path_type=Path), default="walk.mp4", show_default=True, help=".mp4 or .gif.")
+@click.option("--speed", type=float, default=1.0, show_default=True, help="0.5 is slow motion.")
+@click.option("--fps", type=int, default=25, show_default=True, help="Pictures per second of the film.")
+@click.option("--size", default="640x480", show_default=True, help="Width x height [pixels].")
+@click.option("--azimuth", type=float, help="Direction to look in: 0 along x, 90 along y [deg].")
+@click.option("--shadows", is_flag=True, help="Draw shadows and reflections; takes twice as long.")
+def video(
+    trace: Path | None,
+    robot: str,
+    profile: str,
+    duration: float,
+    settings: Any,
+    out: Path,
+    speed: float,
+    fps: int,
+    size: str,
+    azimuth: float | None,
+    shadows: bool,
+) -> int:
+    """Film a walk: that of a TRACE file, or a new one by the options of `zmpwalk walk`."""
+    from . import render
+    from .profiles import VelocityProfile
+    from .simulation import simulate
+    from .trace import Trace
+
+    if out.suffix.lower() not in (".mp4", ".gif"):
+        raise InputError(f"--out {out}: give a .mp4 or .gif")
+    if not out.absolute().parent.is_dir():
+        raise InputError(f"'{out.absolute().parent}' is not a folder, {out.name} cannot be written there")
+    width, height = _size(size)
+    camera = None if azimuth is None else {"azimuth": azimuth}
+    if trace is not None:
+        given = _given("robot", "profile", "duration", "law", "file", "footsteps", "changes")
+        if given:
+            raise InputError(f"{given[0]} is for a new walk; {trace} is one already")
+        walked = Trace.load(trace)
+    else:
+        with _Progress(duration) as progress:
+            walked = simulate(robot, VelocityProfile.from_spec(profile), duration, settings, progress.at)
+    with _Progress(walked.duration, "film") as progress:
+        try:
+            render.video(walked, out, fps, width, height, speed, camera, shadows=shadows, on_progress=progress.at)
+        except ImportError as error:
+            raise InputError(str(error)) from None
+        except OSError as error:
+            raise InputError(f"{out}: cannot write there: {(error.strerror or str(error)).lower()}") from None
+    click.echo(str(out))
+    return STOOD
+
+
+def _given(*names: str) -> list[str]:
+    """Options among `names` that stand on the command line."""
+    context = click.get_current_context()
+    return [
+        parameter.opts[0]
+        for parameter in context.command.params
+        if parameter.name in names
+        and context.get_parameter_source(parameter.name) is click.core.ParameterSource.COMMANDLINE
+    ]
+
+
+def _size(text: str) -> tuple[int, int]:
+    try:
+        width, height = map(int, text.lower().split("x"))
+    except ValueError:
+        raise InputError(f"--size {text}: give width x height, such as 1280x720") from None
+    return width, height
 
 
 # --- inspect

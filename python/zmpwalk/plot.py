@@ -1,11 +1,11 @@
-"""The paper's figures, each drawn from a Trace alone.
+"""The paper's figures and the walk from above, each drawn from a Trace alone.
 
-Every function takes a trace and returns a matplotlib Figure; a notebook shows it, `save_all` writes all six. Nothing
+Every function takes a trace and returns a matplotlib Figure; a notebook shows it, `save_all` writes them all. Nothing
 here touches pyplot, so no window opens and no global state is left behind.
 
 Colours mean the same in every figure: black the centre of mass, blue what is desired, red what the controller
 estimates, green what the simulator measures, orange what is planned; blue bands are ZMP bounds, grey ones double
-support, brown ones soles on the ground.
+support, brown ones soles on the ground (from above the right one is purple).
 """
 
 from __future__ import annotations
@@ -22,16 +22,19 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.patches import Polygon
+from matplotlib.patheffects import withStroke
 from matplotlib.ticker import MaxNLocator
 
+from .analysis import feet_pose, planned_path, sole_yaw
 from .errors import InputError
 from .trace import Trace
 
-__all__ = ["FIGURES", "iteration", "lateral", "sagittal", "save_all", "switch", "tracking", "velocity"]
+__all__ = ["FIGURES", "footprints", "iteration", "lateral", "sagittal", "save_all", "switch", "tracking", "velocity"]
 
 # Okabe and Ito's palette, which colour-blind readers can tell apart.
 COM, DESIRED, ESTIMATED, MEASURED, PLANNED = "black", "#0072B2", "#D55E00", "#009E73", "#E69F00"
-BOUND, SOLE, DOUBLE_SUPPORT, FAINT = "#56B4E9", "#8C6239", "#000000", "#777777"
+BOUND, SOLE, RIGHT_SOLE, DOUBLE_SUPPORT, FAINT = "#56B4E9", "#8C6239", "#CC79A7", "#000000", "#777777"
 DASHES = (0, (4, 4))  # of what is desired: the line under it shows through
 
 STYLE: Any = {
@@ -334,6 +337,72 @@ def lateral(trace: Trace, start: float | None = None, end: float | None = None, 
     return figure
 
 
+@_styled
+def footprints(trace: Trace, start: float | None = None, end: float | None = None, axes: Any = None) -> Figure:
+    """The walk from above: every place where a sole stood, COM, ZMP, and where the commands lead [m].
+
+    An arrow at each touch-down goes from the middle of the feet along their mean heading.
+
+    Args:
+        trace: a walk.
+        start, end: window [s]; None is the walk's start, its end.
+        axes: one Axes to draw on, or None for a figure of its own.
+
+    Returns:
+        The figure.
+
+    Raises:
+        InputError: `start` is not before `end`.
+
+    Usage: `trace.plot("footprints")`
+    """
+    rows = _window(trace, start, end)
+    planned, com = planned_path(trace)[rows], trace.com[rows]
+    prints = {side: _prints(trace, rows, side) for side in (0, 1)}
+    everything = np.vstack([planned[:, :2], com[:, :2], *(p for corners in prints.values() for p in corners)])
+    low, high = everything.min(axis=0), everything.max(axis=0)
+    margin = 0.04 * max(high - low)
+    width, height = high - low + 2 * margin
+    figure, (ax,) = _figure(axes, 1, 1, height=min(max(0.9 * WIDTH * height / width + 1.3, 2.6), WIDTH))
+    for side, (name, color) in enumerate((("left", SOLE), ("right", RIGHT_SOLE))):
+        for n, corners in enumerate(prints[side]):
+            label = f"{name} sole" if n == 0 else None
+            ax.add_patch(Polygon(corners, closed=True, facecolor=color, alpha=0.25, lw=0, zorder=1, label=label))
+            ax.add_patch(Polygon(corners, closed=True, fill=False, edgecolor=color, lw=0.7, zorder=1.5))
+    ax.plot(*planned[:, :2].T, color=PLANNED, lw=2.2, zorder=2, label="where the commands lead")
+    ax.plot(*trace.zmp_meas[rows].T, color=MEASURED, lw=0.8, alpha=0.8, zorder=3, label="measured ZMP")
+    ax.plot(*com[:, :2].T, color=COM, lw=1.4, zorder=4, label="COM")
+    landed = np.flatnonzero(np.diff(trace.phase[rows]) < 0) + 1 + rows.start
+    x, y, yaw = feet_pose(trace.foot_left[landed], trace.foot_right[landed]).T
+    size = 0.15 * float(com[0, 2])
+    arrow: dict[str, Any] = {"angles": "xy", "scale_units": "xy", "scale": 1, "width": 0.003, "zorder": 5}
+    ax.quiver(x, y, size * np.cos(yaw), size * np.sin(yaw), color=DESIRED, label="heading", **arrow)
+    for k, word in ((0, "start"), (-1, "end")):
+        ax.plot(*com[k, :2], color=COM, marker="o", ms=4, zorder=6)
+        text = f"{word}, {trace.t[rows][k]:.3g} s"
+        label = ax.annotate(text, com[k, :2], (0, -12), textcoords="offset points", ha="center", fontsize=8, zorder=7)
+        label.set_path_effects([withStroke(linewidth=2.5, foreground="white")])
+    ax.set(xlabel="x [m]", ylabel="y [m]", aspect="equal")
+    ax.set(xlim=(low[0] - margin, high[0] + margin), ylim=(low[1] - margin, high[1] + margin))
+    _legend_above(ax, 3)
+    _title(figure, axes, "The walk from above" + _excerpt(trace, rows))
+    return figure
+
+
+def _prints(trace: Trace, rows: slice, side: int) -> list[np.ndarray]:
+    """Corners (4, 2) of a sole [m], once for each time it stood."""
+    name = ("left", "right")[side]
+    foot = trace.meta.get("description", {}).get(name, {})
+    half_length, half_width = foot.get("length", 0.0) / 2, foot.get("width", 0.0) / 2
+    poses, corners = trace[f"foot_{name}"][rows], []
+    for span in _spans((trace.phase[rows] == 0) | ((trace.support[rows] > 0) == (side == 0))):
+        pose = poses[(span.start + span.stop) // 2]
+        c, s = np.cos(sole_yaw(pose)), np.sin(sole_yaw(pose))
+        box = np.array([(1, 1), (-1, 1), (-1, -1), (1, -1)]) * (half_length, half_width)
+        corners.append(pose[:2] + box @ np.array([(c, s), (-s, c)]))
+    return corners
+
+
 FIGURES: dict[str, Callable[..., Figure]] = {
     "iteration": iteration,
     "tracking": tracking,
@@ -341,8 +410,10 @@ FIGURES: dict[str, Callable[..., Figure]] = {
     "velocity": velocity,
     "sagittal": sagittal,
     "lateral": lateral,
+    "footprints": footprints,
 }
 FILES = {name: f"fig{number}_{name}" for name, number in zip(FIGURES, (2, 4, 5, 6, 7, 8))}
+FILES["footprints"] = "footprints"
 
 
 def figure_function(name: str) -> Callable[..., Figure]:
@@ -370,13 +441,13 @@ def save_all(
     Args:
         trace: a walk.
         folder: made if it does not exist.
-        names: which; None is all six.
+        names: which; None is all of them.
         format: "png", "pdf" or "svg".
         dpi: dots per inch of a png.
 
     Returns:
         The files: fig2_iteration.png, fig4_tracking.png, fig5_switch.png, fig6_velocity.png, fig7_sagittal.png,
-        fig8_lateral.png.
+        fig8_lateral.png, footprints.png.
 
     Raises:
         InputError: no figure of that name.  OSError: the folder cannot be written.

@@ -133,8 +133,8 @@ class VelocityProfile(_core.VelocityProfile):
         """What the command line understands.
 
         Args:
-            spec: "paper", a CSV file's path, one speed "0.2", or steps "0:0.063,0.8:0.156" (t [s] : vx [m/s] or
-                vx/vy/wz).
+            spec: "paper", a CSV file's path (with ":linear" behind it to join its rows), one speed "0.2", or steps
+                "0:0.063,0.8:0.156" (t [s] : vx [m/s] or vx/vy/wz).
 
         Raises:
             InputError: none of these; the message says which would have worked.
@@ -144,6 +144,9 @@ class VelocityProfile(_core.VelocityProfile):
         spec = str(spec).strip()
         if spec == "paper":
             return cls.paper()
+        path, _, interpolation = spec.rpartition(":")
+        if path and interpolation in ("hold", "linear"):
+            return cls.from_csv(path, interpolation)
         if spec.lower().endswith(".csv") or os.path.isfile(spec):
             return cls.from_csv(spec)
         forms = 'a profile is "paper", a CSV file, a speed "0.2" or steps "0:0.063,0.8:0.156" (seconds:m/s)'

@@ -11,11 +11,12 @@ import importlib
 import os
 import sys
 from pathlib import Path
-from typing import Any, Mapping, Sequence, Union
+from typing import Any, Callable, Mapping, Sequence, Union
 
 import mujoco
 import numpy as np
 
+from .analysis import feet_pose, mean_velocity
 from .errors import Error, InputError
 from .simulation import set_state
 from .trace import Trace
@@ -29,8 +30,71 @@ AZIMUTH, ELEVATION, FILLED = (
     -12.0,
     0.75,
 )  # default view: from ahead and the right [deg], share of the height filled
+STRIDE = 6.0  # of time constants sqrt(z_c / g): about two steps
+GRAVITY = 9.81  # only for that [m/s^2]
 
 Camera = Union[None, str, Mapping[str, Any], "mujoco.MjvCamera"]
+
+
+class Scene:
+    """What is drawn of a model, in a window or off screen; the caller's OpenGL context must be current.
+
+    Args:
+        model: what to draw.
+        shadows: draw shadows and reflections: half as fast without a graphics card.
+    """
+
+    def __init__(self, model: mujoco.MjModel, shadows: bool = True):
+        self._model = model
+        self._context = mujoco.MjrContext(model, mujoco.mjtFontScale.mjFONTSCALE_100)
+        self._scene = mujoco.MjvScene(model, maxgeom=10000)
+        for flag in (mujoco.mjtRndFlag.mjRND_SHADOW, mujoco.mjtRndFlag.mjRND_REFLECTION):
+            self._scene.flags[flag] = shadows
+        self._option = mujoco.MjvOption()
+
+    def draw(
+        self,
+        viewport: mujoco.MjrRect,
+        data: mujoco.MjData,
+        view: mujoco.MjvCamera,
+        marks: Sequence[Mapping[str, Any]] = (),
+        words: Mapping[str, Any] | None = None,
+    ) -> None:
+        """Draw into the current buffer; `marks` and `words` as in `OffScreen.draw`."""
+        mujoco.mjv_updateScene(
+            self._model, data, self._option, None, view, mujoco.mjtCatBit.mjCAT_ALL.value, self._scene
+        )
+        for mark in marks:
+            self._cross(np.asarray(mark["pos"], float), float(mark["arm"]), np.asarray(mark["rgba"], np.float32))
+        mujoco.mjr_render(viewport, self._scene, self._context)
+        if words:
+            place, font = mujoco.mjtGridPos.mjGRID_TOPLEFT, mujoco.mjtFont.mjFONT_NORMAL
+            columns = ("\n".join(map(str, column)) for column in (words.keys(), words.values()))
+            mujoco.mjr_overlay(font, place, viewport, *columns, self._context)
+
+    def _cross(self, centre: np.ndarray, arm: float, rgba: np.ndarray) -> None:
+        """Two thin bars on the ground, longer than a foot, so that a sole on their crossing does not hide them."""
+        for along in (0, 1):
+            if self._scene.ngeom < self._scene.maxgeom:
+                size = np.full(3, 0.012 * arm)
+                size[along] = arm
+                box, upright = mujoco.mjtGeom.mjGEOM_BOX, np.eye(3).ravel()
+                mujoco.mjv_initGeom(self._scene.geoms[self._scene.ngeom], box, size, centre, upright, rgba)
+                self._scene.ngeom += 1
+
+    def read(self, viewport: mujoco.MjrRect) -> np.ndarray:
+        """What was drawn (height, width, 3) uint8, first row on top."""
+        image = np.empty((viewport.height, viewport.width, 3), np.uint8)
+        mujoco.mjr_readPixels(image, None, viewport, self._context)
+        return np.flipud(image).copy()
+
+    def off_screen(self) -> None:
+        """Draw into the off-screen buffer from now on."""
+        mujoco.mjr_setBuffer(mujoco.mjtFramebuffer.mjFB_OFFSCREEN, self._context)
+
+    def free(self) -> None:
+        """Give OpenGL's memory back."""
+        self._context.free()
 
 
 class OffScreen:
@@ -57,16 +121,18 @@ class OffScreen:
         kept = screen.offwidth, screen.offheight
         screen.offwidth, screen.offheight = max(kept[0], self._width), max(kept[1], self._height)
         try:
-            self._context = mujoco.MjrContext(model, mujoco.mjtFontScale.mjFONTSCALE_100)
+            self._scene: Scene | None = Scene(model, shadows)
         finally:
             screen.offwidth, screen.offheight = kept
-        mujoco.mjr_setBuffer(mujoco.mjtFramebuffer.mjFB_OFFSCREEN, self._context)
-        self._scene = mujoco.MjvScene(model, maxgeom=10000)
-        for flag in (mujoco.mjtRndFlag.mjRND_SHADOW, mujoco.mjtRndFlag.mjRND_REFLECTION):
-            self._scene.flags[flag] = shadows
-        self._option = mujoco.MjvOption()
+        self._scene.off_screen()
 
-    def draw(self, data: mujoco.MjData, camera: Camera = None, marks: Sequence[dict[str, Any]] = ()) -> np.ndarray:
+    def draw(
+        self,
+        data: mujoco.MjData,
+        camera: Camera = None,
+        marks: Sequence[Mapping[str, Any]] = (),
+        words: Mapping[str, Any] | None = None,
+    ) -> np.ndarray:
         """The scene as it stands in `data`, whose kinematics must be up to date (`mj_forward`).
 
         Args:
@@ -74,6 +140,7 @@ class OffScreen:
             camera: None looks at the robot from ahead and the right; a name is a camera of the model; a dictionary
                 changes the default view: lookat (3) [m], distance [m], azimuth, elevation [deg]; or an MjvCamera.
             marks: crosses to lay on the ground, each {"pos": (3) [m], "arm": half length [m], "rgba": (4)}.
+            words: a caption above on the left, what -> its value, a line each; ASCII.
 
         Returns:
             (height, width, 3) uint8, first row on top.
@@ -84,35 +151,17 @@ class OffScreen:
         Usage: `image = screen.draw(data, camera={"azimuth": 90})`
         """
         self._gl.make_current()
-        view = _camera(self._model, data, camera)
-        mujoco.mjv_updateScene(
-            self._model, data, self._option, None, view, mujoco.mjtCatBit.mjCAT_ALL.value, self._scene
-        )
-        for mark in marks:
-            self._cross(np.asarray(mark["pos"], float), float(mark["arm"]), np.asarray(mark["rgba"], np.float32))
         viewport = mujoco.MjrRect(0, 0, self._width, self._height)
-        mujoco.mjr_render(viewport, self._scene, self._context)
-        image = np.empty((self._height, self._width, 3), np.uint8)
-        mujoco.mjr_readPixels(image, None, viewport, self._context)
-        return np.flipud(image).copy()
-
-    def _cross(self, centre: np.ndarray, arm: float, rgba: np.ndarray) -> None:
-        """Two thin bars on the ground, longer than a foot, so that a sole on their crossing does not hide them."""
-        for along in (0, 1):
-            if self._scene.ngeom < self._scene.maxgeom:
-                size = np.full(3, 0.012 * arm)
-                size[along] = arm
-                box, upright = mujoco.mjtGeom.mjGEOM_BOX, np.eye(3).ravel()
-                mujoco.mjv_initGeom(self._scene.geoms[self._scene.ngeom], box, size, centre, upright, rgba)
-                self._scene.ngeom += 1
+        self._scene.draw(viewport, data, _camera(self._model, data, camera), marks, words)
+        return self._scene.read(viewport)
 
     def close(self) -> None:
         """Give the surface back; drawing afterwards is an error."""
-        if self._context is not None:
+        if self._scene is not None:
             self._gl.make_current()
-            self._context.free()
+            self._scene.free()
             self._gl.free()
-            self._context = None
+            self._scene = None
 
     def __enter__(self) -> OffScreen:
         return self
@@ -190,8 +239,12 @@ def video(
     camera: Camera = None,
     show_zmp: bool = True,
     shadows: bool = False,
+    caption: bool = True,
+    on_progress: Callable[[float, float], None] | None = None,
 ) -> Path:
     """A film of a trace, written whole or not at all.
+
+    The default camera goes with the walk, but not with the sway of its steps.
 
     Args:
         trace: a walk that carries its model.
@@ -199,16 +252,18 @@ def video(
         fps: pictures per second of the film.
         width, height: [pixels], even numbers for `.mp4`.
         speed: 0.5 is slow motion.
-        camera: see `OffScreen.draw`; the default goes with the robot.
+        camera: see `OffScreen.draw`; what is left out of a dictionary goes with the walk.
         show_zmp: mark the estimated ZMP (red) and the point under the COM (black) on the ground.
         shadows: draw shadows and reflections, at half the speed.
+        caption: write robot, time, and planned and walked velocity above.
+        on_progress: called at each picture with (t, duration) [s]; what it raises stops the film and passes on.
 
     Returns:
         The path written.
 
     Raises:
-        ImportError: imageio is not installed.  InputError: `fps` or `speed` not positive.  ModelError, Error: as
-        `snapshot`.
+        ImportError: imageio is not installed.  OSError: cannot write there.  InputError: `fps` or `speed` not
+        positive.  ModelError, Error: as `snapshot`.
 
     Usage: `zmpwalk.render.video(trace, "walk.mp4", speed=0.5)`
     """
@@ -220,6 +275,8 @@ def video(
         raise InputError(f"fps is {fps:g} and speed {speed:g}; both must be positive")
     path, model = Path(path), trace.model
     draft = path.with_name(f".{path.stem}.{os.getpid()}{path.suffix}")
+    camera = {} if camera is None else camera
+    centre = _smooth_path(trace)
     times = np.arange(trace.t[0], trace.t[-1] + 1e-9, speed / fps)
     options: dict[str, Any] = (
         {"duration": 1000.0 / fps, "loop": 0} if path.suffix.lower() == ".gif" else {"fps": fps, "macro_block_size": 2}
@@ -230,13 +287,41 @@ def video(
             with film:
                 for t in times:
                     k = _row(trace, t)
-                    marks = _marks(trace, k) if show_zmp else ()
-                    film.append_data(screen.draw(_pose(model, trace, k), camera, marks))
+                    moving = {"lookat": centre[k], **camera} if isinstance(camera, Mapping) else camera
+                    marks, words = _marks(trace, k) if show_zmp else (), _caption(trace, k) if caption else None
+                    film.append_data(screen.draw(_pose(model, trace, k), moving, marks, words))
+                    if on_progress:
+                        on_progress(t - trace.t[0], trace.duration)
         os.replace(draft, path)
     finally:
         if draft.exists():
             draft.unlink()
     return path
+
+
+def _smooth_path(trace: Trace) -> np.ndarray:
+    """The COM without the sway of the steps: its mean over a stride about each instant (T, 3) [m]."""
+    half = min(round(stride(trace.com[0, 2]) / trace.control_dt), len(trace.t)) // 2
+    padded = np.pad(trace.com, ((half + 1, half), (0, 0)), mode="edge").cumsum(axis=0)
+    return (padded[2 * half + 1 :] - padded[: -2 * half - 1]) / (2 * half + 1)
+
+
+def stride(com_height: float) -> float:
+    """About the time of two steps of a robot [s], for means that shall not show them."""
+    return STRIDE * float(np.sqrt(com_height / GRAVITY))
+
+
+def velocity_words(planned: np.ndarray, walked: np.ndarray) -> dict[str, str]:
+    """Lines of a caption: (vx, vy, wz) [m/s, m/s, rad/s] planned and walked."""
+    form = "forward {:+.2f} m/s   left {:+.2f} m/s   turning {:+.2f} rad/s"
+    return {name: form.format(*np.round(v, 2) + 0.0) for name, v in (("asked", planned), ("walks", walked))}
+
+
+def _caption(trace: Trace, k: int) -> dict[str, str]:
+    before = max(0, k - round(stride(trace.com[0, 2]) / trace.control_dt))
+    poses = feet_pose(trace.foot_left[[before, k]], trace.foot_right[[before, k]])
+    walked = mean_velocity(*poses, trace.t[k] - trace.t[before]) if k > before else np.zeros(3)
+    return {str(trace.meta.get("robot", "robot")): f"{trace.t[k]:.2f} s", **velocity_words(trace.v_plan[k], walked)}
 
 
 def _row(trace: Trace, t: float | None) -> int:
@@ -254,26 +339,47 @@ def _pose(model: mujoco.MjModel, trace: Trace, k: int) -> mujoco.MjData:
 
 
 def _marks(trace: Trace, k: int) -> list[dict[str, Any]]:
-    """Crosses where the estimated ZMP and the point under the COM are, on the lower sole's height."""
-    ground, arm = min(trace.foot_left[k, 2], trace.foot_right[k, 2]), 0.28 * trace.com[0, 2]
+    return crosses(trace.com[k], trace.zmp_est[k], trace.foot_left[k], trace.foot_right[k])
+
+
+def crosses(
+    com: np.ndarray, zmp_est: np.ndarray, foot_left: np.ndarray, foot_right: np.ndarray
+) -> list[dict[str, Any]]:
+    """Crosses where the estimated ZMP and the point under the COM are, at the lower sole's height."""
+    ground = min(foot_left[2], foot_right[2])
+    arm = 0.28 * (com[2] - ground)
     return [
-        {"pos": (*trace[name][k, :2], ground), "arm": arm, "rgba": rgba}
-        for name, rgba in MARKS.items()
-        if np.isfinite(trace[name][k, :2]).all()
+        {"pos": (*point[:2], ground), "arm": arm, "rgba": MARKS[name]}
+        for name, point in (("com", com), ("zmp_est", zmp_est))
+        if np.isfinite(point[:2]).all()
     ]
 
 
 def _camera(model: mujoco.MjModel, data: mujoco.MjData, camera: Camera) -> mujoco.MjvCamera:
     if isinstance(camera, mujoco.MjvCamera):
         return camera
-    view = mujoco.MjvCamera()
     if isinstance(camera, str):
+        view = mujoco.MjvCamera()
         view.fixedcamid = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_CAMERA, camera)
         if view.fixedcamid < 0:
             names = [mujoco.mj_id2name(model, mujoco.mjtObj.mjOBJ_CAMERA, i) for i in range(model.ncam)]
             raise InputError(f"no camera '{camera}'; the model has {', '.join(filter(None, names)) or 'none'}")
         view.type = mujoco.mjtCamera.mjCAMERA_FIXED
         return view
+    view = default_camera(model, data)
+    for key, value in dict(camera or {}).items():
+        if key not in ("lookat", "distance", "azimuth", "elevation"):
+            raise InputError(f"a camera has no '{key}'; it has lookat, distance, azimuth, elevation")
+        if key == "lookat":
+            view.lookat[:] = value
+        else:
+            setattr(view, key, value)
+    return view
+
+
+def default_camera(model: mujoco.MjModel, data: mujoco.MjData) -> mujoco.MjvCamera:
+    """A free camera that looks at the heaviest tree from ahead and the right."""
+    view = mujoco.MjvCamera()
     view.type = mujoco.mjtCamera.mjCAMERA_FREE
     free = np.flatnonzero(model.jnt_type == mujoco.mjtJoint.mjJNT_FREE)
     heaviest = max(free, key=lambda j: model.body_subtreemass[model.jnt_bodyid[j]]) if len(free) else None
@@ -283,13 +389,6 @@ def _camera(model: mujoco.MjModel, data: mujoco.MjData, camera: Camera) -> mujoc
     view.azimuth, view.elevation = AZIMUTH, ELEVATION
     robot_height = 1.9 * max(com[2], 0.1)  # the COM of humanoids is a little above the half
     view.distance = robot_height / FILLED / 2 / np.tan(np.radians(model.vis.global_.fovy) / 2)
-    for key, value in dict(camera or {}).items():
-        if key not in ("lookat", "distance", "azimuth", "elevation"):
-            raise InputError(f"a camera has no '{key}'; it has lookat, distance, azimuth, elevation")
-        if key == "lookat":
-            view.lookat[:] = value
-        else:
-            setattr(view, key, value)
     return view
 
 

@@ -311,7 +311,10 @@ def rerun(trace: Trace, on_progress: Progress | None = None) -> Trace:
     data.time = trace.t[0]
     controller.reset(data)
     recorder = Recorder(controller, robot)
+    commands = trace.get("command", np.full((len(trace.t), 3), math.nan))
     for k in range(len(trace.t)):
+        if k and not np.array_equal(commands[k], commands[k - 1], equal_nan=True):
+            controller.command(*commands[k])
         out = controller.update(data)
         for _ in range(max(1, round(trace.control_dt / model.opt.timestep))):
             mujoco.mj_step(model, data)

@@ -460,7 +460,8 @@ class Trace(Mapping):
         """Draw one of the paper's figures, or all.
 
         Args:
-            figure: "iteration", "tracking", "switch", "velocity", "sagittal", "lateral" (Figs. 2, 4 to 8) or "all".
+            figure: "iteration", "tracking", "switch", "velocity", "sagittal", "lateral" (Figs. 2, 4 to 8),
+                "footprints" (from above) or "all".
             options: passed to that function of `zmpwalk.plot`.
 
         Returns:

@@ -14,7 +14,7 @@ from zmpwalk import InputError, Trace, cli
 
 FIGURES = {
     f"fig{name}.png" for name in ("2_iteration", "4_tracking", "5_switch", "6_velocity", "7_sagittal", "8_lateral")
-}
+} | {"footprints.png"}
 FALLS = ("--set", "wrench_distribution=false", "--set", "contact_damping=0")  # falls within half a second
 
 
@@ -205,6 +205,38 @@ def test_plot_draws_from_the_trace_alone(zmpwalk_command, tmp_path, walked):
     assert (tmp_path / "fig5_switch.pdf").read_bytes().startswith(b"%PDF")
     done = zmpwalk_command("plot", trace, "--out", tmp_path / "all")
     assert {file.name for file in (tmp_path / "all").iterdir()} == FIGURES
+
+
+def test_video_films_a_trace_or_a_new_walk(zmpwalk_command, tmp_path, walked):
+    pytest.importorskip("imageio")
+    trace, film = walked.save(tmp_path / "walk.npz"), tmp_path / "walk.gif"
+    small = ("--fps", 4, "--size", "64x48", "--out", film)
+    done = zmpwalk_command("video", trace, *small, "--azimuth", 90, "--speed", 2)
+    if "cannot draw off screen" in done.stderr:
+        pytest.skip(done.stderr)
+    assert (done.returncode, done.stdout) == (0, f"{film}\n"), done.stderr
+    first = film.read_bytes()
+    done = zmpwalk_command("video", "--duration", 0.5, "--profile", "0.1", *small)
+    assert lines(done.stderr) == ["walking for 0.5 s", "filming for 0.5 s"]
+    assert film.read_bytes() != first
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("--out", "walk.avi"), "--out walk.avi: give a .mp4 or .gif"),
+        (("--out", "no/walk.mp4"), "is not a folder, walk.mp4 cannot be written there"),
+        (("--size", "big"), "--size big: give width x height"),
+        (("walk.npz",), "walk.npz: no such file"),
+        (("walk.npz", "--law", "paper"), "--law is for a new walk; walk.npz is one already"),
+        (("walk.npz", "--profile", "0.1"), "--profile is for a new walk"),
+    ],
+)
+def test_video_refuses_in_one_line(zmpwalk_command, tmp_path, words, said):
+    done = zmpwalk_command("video", *words, cwd=tmp_path)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert len(lines(done.stderr)) == 1 and said in done.stderr
+    assert not list(tmp_path.iterdir())
 
 
 def test_inspect_shows_what_was_found(zmpwalk_command):

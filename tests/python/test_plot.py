@@ -8,7 +8,15 @@ import pytest
 from matplotlib.figure import Figure
 from zmpwalk import InputError, Trace, plot
 
-FILES = ["fig2_iteration", "fig4_tracking", "fig5_switch", "fig6_velocity", "fig7_sagittal", "fig8_lateral"]
+FILES = [
+    "fig2_iteration",
+    "fig4_tracking",
+    "fig5_switch",
+    "fig6_velocity",
+    "fig7_sagittal",
+    "fig8_lateral",
+    "footprints",
+]
 
 
 def pixels(figure):
@@ -32,7 +40,8 @@ def test_figure_is_filled_and_every_axis_has_a_name_and_a_unit(made_up_trace, na
         assert (inside < 200).any(axis=-1).mean() > 0.005, "an empty panel"
         assert "[" in ax.get_ylabel()
         assert ax.get_legend() is not None or ax is not figure.axes[0]
-    assert any("[s]" in ax.get_xlabel() or "[ms]" in ax.get_xlabel() or ax.get_xlabel() == "pass" for ax in figure.axes)
+    names = ("[s]", "[ms]", "[m]", "pass")
+    assert any(ax.get_xlabel().endswith(names) for ax in figure.axes)
 
 
 @pytest.mark.parametrize("name", plot.FIGURES)
@@ -225,3 +234,27 @@ def test_failed_figure_leaves_no_file(made_up_trace, tmp_path, monkeypatch):
     with pytest.raises(OSError, match="no space"):
         plot.save_all(made_up_trace, tmp_path)
     assert not list(tmp_path.iterdir())
+
+
+def test_footprints_lie_where_soles_stood_turned_as_they_were(made_up_columns, made_up):
+    turn, c, s = 0.5, np.cos(0.5), np.sin(0.5)
+    turned = {name: made_up_columns[name].copy() for name in ("foot_left", "foot_right", "com", "zmp_meas")}
+    for array in turned.values():  # the whole walk, about W's origin
+        array[:, :2] = array[:, :2] @ np.array([(c, s), (-s, c)])
+    for name in ("foot_left", "foot_right"):
+        turned[name][:, 3:] = np.cos(turn / 2), 0, 0, np.sin(turn / 2)
+    trace = made_up.changed(made_up_columns, **turned)
+    ax = trace.plot("footprints").axes[0]
+    soles = [patch.get_xy()[:4] for patch in ax.patches if patch.get_fill()]
+    stood = [plot._spans((trace.phase == 0) | (trace.support == side)) for side in (1, -1)]
+    assert len(soles) == sum(map(len, stood))
+    first = soles[0]
+    assert first.mean(axis=0) == pytest.approx(trace.foot_left[0, :2])
+    assert first[0] - first[1] == pytest.approx(0.25 * np.array([c, s]))  # as long as the sole, along its heading
+    assert first[0] - first[3] == pytest.approx(0.14 * np.array([-s, c]))
+    planned = np.column_stack(line(ax, "where the commands lead"))
+    assert planned[-1] - planned[0] == pytest.approx(made_up_columns["v_plan"][:-1, 0].sum() * 0.001 * np.array([c, s]))
+    assert np.column_stack(line(ax, "COM")) == pytest.approx(trace.com[:, :2])
+    assert ax.get_aspect() == 1
+    arrows = next(one for one in ax.collections if one.get_label() == "heading")
+    assert np.arctan2(arrows.V, arrows.U) == pytest.approx(np.full(len(arrows.U), turn))

@@ -104,10 +104,17 @@ def test_spec_reads_what_the_command_line_takes(tmp_path):
     assert VelocityProfile.from_spec("0.2") == VelocityProfile.constant(0.2)
     assert VelocityProfile.from_spec("0:0.063, 0.8:0.156") == VelocityProfile.piecewise([(0, 0.063), (0.8, 0.156)])
     assert VelocityProfile.from_spec("0:0.1/0.02/0.3") == VelocityProfile.constant((0.1, 0.02, 0.3))
+    assert VelocityProfile.from_spec("0.1/0.02/0.3") == VelocityProfile.constant((0.1, 0.02, 0.3))
     assert VelocityProfile.from_spec(str(tmp_path / "walk.csv")) == VelocityProfile.constant(0.1)
+    (tmp_path / "ramp.csv").write_text("t,vx,wz\n0,0,0\n2,0.2,0.1\n")
+    ramp = VelocityProfile.from_spec(f"{tmp_path / 'ramp.csv'}:linear")
+    assert ramp.velocity(1.0) == pytest.approx((0.1, 0.0, 0.05))
+    assert VelocityProfile.from_spec(f"{tmp_path / 'ramp.csv'}:hold").velocity(1.0) == pytest.approx((0, 0, 0))
 
 
-@pytest.mark.parametrize("spec", ["", "fast", "0:", "0.1,0.2", "0:0.1/0.2", "0:0.1,0:0.2", "1:0.1", "0:nan", "no.csv"])
+@pytest.mark.parametrize(
+    "spec", ["", "fast", "0:", "0.1,0.2", "0:0.1/0.2", "0:0.1,0:0.2", "1:0.1", "0:nan", "no.csv", ":linear"]
+)
 def test_spec_mistakes_are_one_clear_line(spec):
     with pytest.raises(InputError) as caught:
         VelocityProfile.from_spec(spec)

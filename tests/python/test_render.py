@@ -87,3 +87,25 @@ def test_no_backend_says_what_was_tried_and_what_to_install(standing, monkeypatc
     monkeypatch.setattr(render.ctypes.util, "find_library", lambda name: None)
     with pytest.raises(Error, match=r"egl: no libEGL; osmesa: no libOSMesa\): install"):
         render.picture(*standing)
+
+
+def test_caption_tells_the_walked_velocity_and_leaves_the_rest_of_the_picture(standing, made_up_trace, made_up_columns):
+    words = render._caption(made_up_trace, 7999)
+    assert words["made-up"] == "8.00 s"
+    assert words["asked"] == "forward +0.25 m/s   left +0.00 m/s   turning +0.00 rad/s"
+    walked = float(words["walks"].split()[1])
+    assert walked == pytest.approx(0.25, abs=0.03)
+    assert render._caption(made_up_trace, 0)["walks"].startswith("forward +0.00")
+    model, data = standing
+    with render.OffScreen(model, 320, 240) as screen:
+        plain, captioned = (screen.draw(data, words=words) for words in (None, {"mahru": "1.00 s"}))
+    rows, columns = np.nonzero((plain != captioned).any(axis=-1))
+    assert len(rows) and rows.max() < 60 and columns.max() < 200
+
+
+def test_film_s_camera_goes_with_the_walk_and_not_with_its_sway(made_up_trace):
+    path = render._smooth_path(made_up_trace)
+    com = made_up_trace.com
+    assert path.shape == com.shape
+    assert np.ptp(path[2000:-2000, 1]) < 0.2 * np.ptp(com[2000:-2000, 1])
+    assert path[2000:-2000, 0] == pytest.approx(com[2000:-2000, 0], abs=0.02)

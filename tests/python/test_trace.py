@@ -289,6 +289,14 @@ def test_what_on_progress_raises_stops_the_run_and_passes_on():
 
 
 def test_plot_by_name_or_all(made_up_trace):
-    assert set(made_up_trace.plot()) == {"iteration", "tracking", "switch", "velocity", "sagittal", "lateral"}
+    assert set(made_up_trace.plot()) == {
+        "iteration",
+        "tracking",
+        "switch",
+        "velocity",
+        "sagittal",
+        "lateral",
+        "footprints",
+    }
     with pytest.raises(InputError, match="no figure 'zmp'; there are iteration"):
         made_up_trace.plot("zmp")
