@@ -74,7 +74,10 @@ Foothold FootstepPlanner::begin_step(int n, Side swing, const Foothold& stance, 
   nominal_ = plan;
   if (settings_.footsteps != Footsteps::kAbsolute || !settings_.step_lengths.empty()) {
     const Foothold& from = settings_.footsteps == Footsteps::kAbsolute ? planned_[other(swing)] : stance;
-    nominal_.p += (lead(n, t_mid, period) - (plan.p - from.p).dot(ahead)) * ahead;
+    // Leads are between the middles of the walk that the feet belong to: beside each other, both have the same.
+    const double half = 0.5 * side_sign(swing) * width(drift(t_mid, period));
+    const Vec2 apart = moved(plan, {0.0, -half, 0.0}).p - moved(from, {0.0, half, 0.0}).p;
+    nominal_.p += (lead(n, t_mid, period) - apart.dot(ahead)) * ahead;
   }
   nominal_ = clear(nominal_, swing, stance);
   planned_[swing] = nominal_;
@@ -90,10 +93,10 @@ double FootstepPlanner::stretch(const Foothold& stance, double t_mid) const {
   return std::max(from_hip(target_, swing_), from_hip(stance, other(swing_)));
 }
 
-bool FootstepPlanner::close(Side swing, const Foothold& stance, const Vec2& dcom, double Tc) {
+bool FootstepPlanner::close(Side swing, const Foothold& stance, double xi) {
   const Foothold beside = moved(stance, {0.0, side_sign(swing) * settings_.step_width, 0.0});
-  const Vec2 ahead = ahead_of(path_.yaw);
-  const double missed = (planned(swing, t_, 0.0).p + Tc * dcom.dot(ahead) * ahead - beside.p).norm();
+  const double aside = (planned(swing, t_, 0.0).p - beside.p).dot(left_of(path_.yaw));
+  const double missed = std::hypot(xi, aside);
   closing_ = missed <= settings_.closing_reach && std::abs(wrap_angle(path_.yaw - stance.yaw)) <= settings_.closing_turn;
   if (closing_) nominal_ = target_ = beside;
   return closing_;

@@ -105,11 +105,17 @@ void GaitGenerator::begin_walk(const GaitInput& in) {
   schedule_.begin(out_.phase.step, in.t, T_ds, times);
 }
 
+bool GaitGenerator::can_stand(const GaitInput& in) const {
+  if (!out_.standing[kLeft] || !out_.standing[kRight]) return true;
+  const double xi = (in.com + pendulum_.Tc() * in.dcom - out_.origin).dot(ahead_of(out_.yaw));
+  return out_.room.lower.x() <= xi && xi <= out_.room.upper.x();
+}
+
 bool GaitGenerator::begin_phase(const GaitInput& in) {
   bool began = false;
   if (out_.at_rest) {
     // The first step lifts when the plan moves, and half of its double support has gone by.
-    if (settings_.stand && plan_.at_rest(in.t, in.t + 0.5 * settings_.T_ds_first)) return false;
+    if (settings_.stand && plan_.at_rest(in.t, in.t + 0.5 * settings_.T_ds_first) && can_stand(in)) return false;
     begin_walk(in);
     began = true;
   } else if (schedule_.landed(in.t)) {
@@ -191,8 +197,12 @@ ZmpBounds GaitGenerator::room(const GaitInput& in) const {
   return out.widened(bounds_[there], (in.p_sole[there].head<2>() - out_.origin).dot(left_of(out_.yaw)));
 }
 
-double GaitGenerator::ahead_of_plan(const GaitInput& in, double time) const {
-  if (!(time > 0.0)) return 0.0;
+double GaitGenerator::planned_dcm(const GaitInput& in, double time) const {
+  return (in.com - out_.origin).dot(ahead_of(out_.heading)) + plan_.displacement(in.t, in.t + time).x() +
+         pendulum_.Tc() * plan_.velocity(in.t + time).x();
+}
+
+double GaitGenerator::dcm_ahead(const GaitInput& in, double time) const {
   // The pendulum (16) under the smooth tracker, its ZMP inside the bounds of the stance sole; by its DCM and its mirror image x - T_c v.
   constexpr int kPieces = 16;
   const double Tc = pendulum_.Tc(), dt = time / kPieces, grow = std::exp(dt / Tc);
@@ -208,8 +218,7 @@ double GaitGenerator::ahead_of_plan(const GaitInput& in, double time) const {
     xi = r + (xi - r) * grow;
     mirror = r + (mirror - r) / grow;
   }
-  const double t_mid = in.t + time;
-  return xi - (now.x + plan_.displacement(in.t, t_mid).x() + Tc * plan_.velocity(t_mid).x());
+  return xi;
 }
 
 void GaitGenerator::move_sideways(const GaitInput& in) {
@@ -233,10 +242,10 @@ void GaitGenerator::move_sideways(const GaitInput& in) {
     if (lifted_) {
       footsteps_.begin_step(out_.phase.step, out_.swing, foot, t_mid, period_);
       closing_ = settings_.stand && plan_.at_rest(in.t, schedule_.touch_down() + schedule_.times().T_ds) &&
-                 footsteps_.close(out_.swing, foot, in.dcom, pendulum_.Tc());
+                 footsteps_.close(out_.swing, foot, dcm_ahead(in, time));
     }
     const double aside = lateral_.miss(pendulum_, xi, xi_end(footsteps_.planned(out_.swing, t_mid, period_).p), time);
-    out_.foothold = footsteps_.update(ahead_of_plan(in, time), aside, t_mid, period_,
+    out_.foothold = footsteps_.update(dcm_ahead(in, time) - planned_dcm(in, time), aside, t_mid, period_,
                                       out_.phase.time / out_.phase.duration, dt);
     out_.stretch = footsteps_.stretch(foot, t_mid) + 0.5 * schedule_.times().T_ds * out_.v_plan.head<2>().norm();
   }

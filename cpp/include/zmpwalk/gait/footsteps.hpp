@@ -56,9 +56,9 @@ class FootstepPlanner {
 
   /// Nominal foothold of step n, taken when the foot lifts. @param stance measured stance foot
   Foothold begin_step(int n, Side swing, const Foothold& stance, double t_mid, double period);
-  /// The last step before a stand: beside the stance foot, where that is near enough to where the COM, moving with `dcom`, comes
-  /// to rest. Returns whether it is.
-  bool close(Side swing, const Foothold& stance, const Vec2& dcom, double Tc);
+  /// The last step before a stand: beside the stance foot, where that is near enough to the path and to where the DCM will be, `xi`
+  /// ahead of the stance foot [m]. Returns whether it is.
+  bool close(Side swing, const Foothold& stance, double xi);
 
   /// Foothold for this cycle, tied to the COM where that is the setting.
   ///
