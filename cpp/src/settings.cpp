@@ -147,7 +147,7 @@ WalkSettings resolve(const WalkSettings& settings, const RobotScale& robot, doub
   const double knee_lift =
       per_lift > 0.0 ? std::max(left / per_lift, kLeastHeight * robot.com_height) : robot.com_height;
   fill(s.step_height, std::min(0.0535 * robot.com_height, knee_lift));
-  fill(s.foothold_reach, 0.11 * robot.com_height);
+  fill(s.foothold_reach, 0.25 * robot.com_height);
   fill(s.com_lead, 0.0134 * robot.com_height);
   fill(s.foothold_time, 0.18 * Tc);
   if (s.footsteps == Footsteps::kPaper) s.step_lengths = paper_step_lengths();

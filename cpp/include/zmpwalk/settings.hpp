@@ -152,7 +152,7 @@ void visit_settings(Settings& s, Visitor&& v) {
     "take "
     "over 0.6 of its torque at the profile's top speed");
   v("foothold_reach", s.foothold_reach, "m",
-    "tied footholds: largest distance from the nominal foothold; NaN: 0.11 of the COM height");
+    "tied footholds: largest distance from the nominal foothold; NaN: 0.25 of the COM height");
   v("com_lead", s.com_lead, "m",
     "tied footholds: how far the COM rides ahead of the middle of the feet, so that a foot is not loaded on its heel; "
     "NaN: 0.0134 of the COM height");

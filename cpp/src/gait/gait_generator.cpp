@@ -247,7 +247,9 @@ void GaitGenerator::move_sideways(const GaitInput& in) {
     const double aside = lateral_.miss(pendulum_, xi, xi_end(footsteps_.planned(out_.swing, t_mid, period_).p), time);
     out_.foothold = footsteps_.update(dcm_ahead(in, time) - planned_dcm(in, time), aside, t_mid, period_,
                                       out_.phase.time / out_.phase.duration, dt);
-    out_.stretch = footsteps_.stretch(foot, t_mid) + 0.5 * schedule_.times().T_ds * out_.v_plan.head<2>().norm();
+    const double half = 0.5 * (out_.foothold.p - foot.p).norm(), Tc = pendulum_.Tc();
+    const double sway = half / Tc * std::tanh(0.5 * schedule_.times().period() / Tc);  // of the orbit between two feet
+    out_.stretch = footsteps_.stretch(foot, t_mid, schedule_.times().T_ds, sway);
   }
   if (lateral_.awaits_switch()) {
     if (single) return;

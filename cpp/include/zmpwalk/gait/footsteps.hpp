@@ -67,8 +67,9 @@ class FootstepPlanner {
   const Foothold& update(double ahead_of_plan, double aside, double t_mid, double period, double share, double dt);
 
   const Foothold& target() const { return target_; }
-  /// Larger distance of both feet from below their hips in the middle of the next double support, at `t_mid` [m].
-  double stretch(const Foothold& stance, double t_mid) const;
+  /// How far the foot is from below its hip that is farther, as the next double support, with its middle at `t_mid` and `T_ds` long,
+  /// begins (the one that lands) or ends (the one that lifts) [m]. @param sway speed of the COM from foot to foot there [m/s]
+  double stretch(const Foothold& stance, double t_mid, double T_ds, double sway) const;
 
   /// Largest difference between the speed of the feet and the planned one over `steps` steps [m/s]; 0 where the profile sets the steps.
   double mismatch(int steps, double period) const;
