@@ -114,7 +114,7 @@ WalkSettings resolve(const WalkSettings& settings, const RobotScale& robot, doub
   const double speed = std::sqrt(robot.gravity * robot.com_height);  // Froude number 1
   fill(s.cadence_speed, 0.1 * speed);
   fill(s.cadence_turning, 0.54 * robot.com_height);
-  fill(s.closing_reach, 0.06 * robot.com_height);
+  fill(s.closing_reach, 0.1 * robot.com_height);
   fill(s.forward_jump, 0.036 * speed);
   fill(s.sideways_jump, 0.03 * speed);
   fill(s.turning_jump, 0.07 / Tc);

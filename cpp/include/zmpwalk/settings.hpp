@@ -91,7 +91,7 @@ void visit_settings(Settings& s, Visitor&& v) {
   v("stand", s.stand, "", "stand, feet side by side, while the profile is zero; False: step on the spot");
   v("stand_gain", s.stand_gain, "", "standing: how far the ZMP goes beyond the DCM, per distance from the middle");
   v("closing_reach", s.closing_reach, "m",
-    "the last step goes beside the stance foot where the COM will rest this near; NaN: 0.06 of the COM height");
+    "the last step goes beside the stance foot where the DCM will be this near; NaN: 0.1 of the COM height");
   v("closing_turn", s.closing_turn, "rad", "and where the headings of path and stance foot differ by no more");
   v("rate_limit", s.rate_limit, "", "limit how fast the planned velocity changes; False: take profiles as they are");
   v("forward_jump", s.forward_jump, "m/s", "change of v_x that passes at once; NaN: 0.036 of sqrt(g COM height)");
