@@ -197,12 +197,16 @@ ZmpBounds GaitGenerator::room(const GaitInput& in) const {
   return out.widened(bounds_[there], (in.p_sole[there].head<2>() - out_.origin).dot(left_of(out_.yaw)));
 }
 
-double GaitGenerator::planned_dcm(const GaitInput& in, double time) const {
-  return (in.com - out_.origin).dot(ahead_of(out_.heading)) + plan_.displacement(in.t, in.t + time).x() +
-         pendulum_.Tc() * plan_.velocity(in.t + time).x();
+double GaitGenerator::ahead_of_plan(const GaitInput& in, double time) const {
+  const PendulumState then = roll_out(in, time);
+  const double x_plan = (in.com - out_.origin).dot(ahead_of(out_.heading)) + plan_.displacement(in.t, in.t + time).x();
+  // The next stance's ZMP takes up this much of an excess speed; what is more, the foot has to.
+  const double excess = pendulum_.Tc() * (then.v - plan_.velocity(in.t + time).x());
+  const double share = settings_.foothold_give;
+  return then.x - x_plan + excess - std::clamp(excess, share * out_.room.lower.x(), share * out_.room.upper.x());
 }
 
-double GaitGenerator::dcm_ahead(const GaitInput& in, double time) const {
+PendulumState GaitGenerator::roll_out(const GaitInput& in, double time) const {
   // The pendulum (16) under the smooth tracker, its ZMP inside the bounds of the stance sole; by its DCM and its mirror image x - T_c v.
   constexpr int kPieces = 16;
   const double Tc = pendulum_.Tc(), dt = time / kPieces, grow = std::exp(dt / Tc);
@@ -218,7 +222,7 @@ double GaitGenerator::dcm_ahead(const GaitInput& in, double time) const {
     xi = r + (xi - r) * grow;
     mirror = r + (mirror - r) / grow;
   }
-  return xi;
+  return {0.5 * (xi + mirror), (xi - mirror) / (2.0 * Tc)};
 }
 
 void GaitGenerator::move_sideways(const GaitInput& in) {
@@ -242,10 +246,10 @@ void GaitGenerator::move_sideways(const GaitInput& in) {
     if (lifted_) {
       footsteps_.begin_step(out_.phase.step, out_.swing, foot, t_mid, period_);
       closing_ = settings_.stand && plan_.at_rest(in.t, schedule_.touch_down() + schedule_.times().T_ds) &&
-                 footsteps_.close(out_.swing, foot, dcm_ahead(in, time));
+                 footsteps_.close(out_.swing, foot, pendulum_.dcm(roll_out(in, time)));
     }
     const double aside = lateral_.miss(pendulum_, xi, xi_end(footsteps_.planned(out_.swing, t_mid, period_).p), time);
-    out_.foothold = footsteps_.update(dcm_ahead(in, time) - planned_dcm(in, time), aside, t_mid, period_,
+    out_.foothold = footsteps_.update(ahead_of_plan(in, time), aside, t_mid, period_,
                                       out_.phase.time / out_.phase.duration, dt);
     const double half = 0.5 * (out_.foothold.p - foot.p).norm(), Tc = pendulum_.Tc();
     const double sway = half / Tc * std::tanh(0.5 * schedule_.times().period() / Tc);  // of the orbit between two feet

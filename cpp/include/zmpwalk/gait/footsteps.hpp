@@ -28,8 +28,9 @@ struct SoleSize {
 /// A path runs from the start with the planned velocity; a foot lands half its stance's travel ahead, half a width beside it, along
 /// the path's heading there. Lengths are leads over the stance foot: a list of the user's or the paper's, or from the profile.
 /// Along the heading, the anchor is the measured stance foot ("paper", "printed", "list"), the plan itself ("absolute"), or the
-/// COM ("tied"): x_T = xi - T_c v_plan + L/2 - com_lead, where the pendulum, its ZMP inside the bounds, has its DCM xi in the middle of
-/// the next double support; clamped about the nominal foothold and low-passed, until `foothold_freeze` of the single support. Sideways it is the path, and what the DCM
+/// COM ("tied"): x_T = x + L/2 - com_lead, where the pendulum, its ZMP inside the bounds, has the COM in the middle of the next double
+/// support, and further by what it has of T_c (v - v_plan) beyond `foothold_give` of the bounds; clamped about the nominal foothold
+/// and low-passed, until `foothold_freeze` of the single support. Sideways it is the path, and what the DCM
 /// will be off its orbit. Feet never come closer than the soles' corners and `foot_clearance` allow.
 class FootstepPlanner {
  public:

@@ -83,10 +83,11 @@ class GaitGenerator {
   void begin_walk(const GaitInput& in);
   void move_sideways(const GaitInput& in);
   ZmpBounds room(const GaitInput& in) const;
-  /// DCM along the heading in the middle of the next double support, `time` [s] away, as the bounded pendulum will have it and as
-  /// the plan has it; from the support sole's centre [m].
-  double dcm_ahead(const GaitInput& in, double time) const;
-  double planned_dcm(const GaitInput& in, double time) const;
+  /// COM along the heading in the middle of the next double support, `time` [s] away, as the pendulum under the smooth tracker has it,
+  /// its ZMP inside the bounds of the support sole; from that sole's centre [m].
+  PendulumState roll_out(const GaitInput& in, double time) const;
+  /// How much further than planned the next foot has to stand [m].
+  double ahead_of_plan(const GaitInput& in, double time) const;
   bool can_stand(const GaitInput& in) const;  // the DCM is inside the bounds of the feet, which stand side by side
 
   WalkSettings settings_;
