@@ -119,7 +119,7 @@ WalkSettings resolve(const WalkSettings& settings, const RobotScale& robot, doub
   fill(s.sideways_jump, 0.03 * speed);
   fill(s.turning_jump, 0.07 / Tc);
   fill(s.forward_acceleration, 0.02 * robot.gravity);
-  fill(s.forward_deceleration, 0.046 * robot.gravity);
+  fill(s.forward_deceleration, 0.056 * robot.gravity);
   fill(s.sideways_acceleration, 0.025 * robot.gravity);
   fill(s.turning_acceleration, 0.08 / (Tc * Tc));
   fill(s.crouch_limit, 0.1 * robot.com_height);

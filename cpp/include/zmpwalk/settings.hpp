@@ -55,7 +55,7 @@ struct WalkSettings {
   Footsteps footsteps = Footsteps::kTied;
   std::vector<double> step_lengths;
   double step_width = kNaN, foot_clearance = kNaN, step_height = kNaN, foothold_reach = kNaN, com_lead = kNaN,
-         foothold_time = kNaN, foothold_give = 0.5, foothold_freeze = 0.7;
+         foothold_time = kNaN, foothold_give = 0.3, foothold_freeze = 0.7;
   bool swing_feed_forward = true;
   double swing_kp = kNaN, swing_kd = kNaN;
   // The other tasks, double support
@@ -98,7 +98,7 @@ void visit_settings(Settings& s, Visitor&& v) {
   v("sideways_jump", s.sideways_jump, "m/s", "change of v_y that passes at once; NaN: 0.03 of sqrt(g COM height)");
   v("turning_jump", s.turning_jump, "rad/s", "change of w_z that passes at once; NaN: 0.07 / T_c");
   v("forward_acceleration", s.forward_acceleration, "m/s^2", "at which v_x grows beyond that; NaN: 0.02 g");
-  v("forward_deceleration", s.forward_deceleration, "m/s^2", "at which v_x goes back to zero; NaN: 0.046 g");
+  v("forward_deceleration", s.forward_deceleration, "m/s^2", "at which v_x goes back to zero; NaN: 0.056 g");
   v("sideways_acceleration", s.sideways_acceleration, "m/s^2", "at which v_y follows beyond that; NaN: 0.025 g");
   v("turning_acceleration", s.turning_acceleration, "rad/s^2", "at which w_z follows beyond that; NaN: 0.08 / T_c^2");
   v("tracker", s.tracker, "", "velocity tracker: 'smooth' or 'bang_bang' (III-C as printed)");
