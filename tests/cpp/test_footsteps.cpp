@@ -200,11 +200,10 @@ BOOST_AUTO_TEST_CASE(listed_and_absolute_footholds_do_not_follow_the_com) {
 BOOST_AUTO_TEST_CASE(last_step_goes_beside_the_stance_foot_where_the_com_comes_to_rest_near_it) {
   const VelocityProfile stand({0.0}, {Vec3::Zero()});
   const WalkSettings s = settings(Footsteps::kTied);
-  const auto closes = [&](const Foothold& stance, double speed) {
+  const auto closes = [&](const Foothold& stance, double xi) {
     FootstepPlanner feet = planner(s, stand);
-    feet.advance(0.0, Vec2(s.com_lead, 0));  // the path at the origin
     feet.begin_step(3, kRight, stance, 0.4, kPeriod);
-    const bool closed = feet.close(kRight, stance, Vec2(speed, 0), kTc);
+    const bool closed = feet.close(kRight, stance, xi);
     if (closed) {
       CHECK_NEAR(feet.target().p, stance.p - 0.22 * left_of(stance.yaw), 1e-12);
       BOOST_CHECK_EQUAL(feet.target().yaw, stance.yaw);
@@ -213,8 +212,10 @@ BOOST_AUTO_TEST_CASE(last_step_goes_beside_the_stance_foot_where_the_com_comes_t
     return closed;
   };
   const double reach = s.closing_reach, turn = s.closing_turn;
-  BOOST_CHECK(closes({Vec2(0.99 * reach, 0.11), 0.0}, 0.0) && !closes({Vec2(1.01 * reach, 0.11), 0.0}, 0.0));
-  BOOST_CHECK(closes({Vec2(0, 0.11), 0.0}, 0.99 * reach / kTc) && !closes({Vec2(0, 0.11), 0.0}, 1.01 * reach / kTc));
+  const auto aside = [](double y) { return Foothold{Vec2(0.3, 0.11 + y), 0.0}; };
+  BOOST_CHECK(closes(aside(0), 0.99 * reach) && closes(aside(0), -0.99 * reach) && !closes(aside(0), 1.01 * reach));
+  BOOST_CHECK(closes(aside(-0.99 * reach), 0.0) && !closes(aside(-1.01 * reach), 0.0));
+  BOOST_CHECK(!closes(aside(0.8 * reach), 0.8 * reach));
   BOOST_CHECK(closes({Vec2(0, 0.11), 0.99 * turn}, 0.0) && !closes({Vec2(0, 0.11), 1.01 * turn}, 0.0));
 }
 
