@@ -46,7 +46,7 @@ BOOST_AUTO_TEST_CASE(a_profile_that_the_legs_cannot_walk_is_refused_with_their_l
   refused_profile(VelocityProfile({0.0, 5.0}, {Vec3(0.1, 0, 0), Vec3(1.01 * limit, 0, 0)}),
                   std::to_string(limit) + " m/s straight ahead");
   refused_profile(VelocityProfile({0.0}, {Vec3(-2.0, 0, 0)}), "(v_x, v_y, w_z) = (-2.000000 m/s, 0.000000 m/s");
-  refused_profile(VelocityProfile({0.0}, {Vec3(0, 1.0, 0)}), "this robot's legs reach as far as (0.000000 m/s, ");
+  refused_profile(VelocityProfile({0.0}, {Vec3(0, 2.0, 0)}), "this robot's legs reach as far as (0.000000 m/s, ");
   refused_profile(VelocityProfile({0.0}, {Vec3(0, 0, 5.0)}), "5.000000 rad/s");
 }
 
