@@ -337,8 +337,9 @@ BOOST_AUTO_TEST_CASE(a_zero_profile_stands_or_steps_on_the_spot_as_asked) {
   const VelocityProfile zero({0.0}, {Vec3::Zero()});
   WalkSettings s = settings();
   PointWalk standing(s, 0.0, zero);
+  standing.in.com = {0.01, -0.02};
   while (standing.in.t < 4.0) BOOST_REQUIRE(standing.step().at_rest);
-  BOOST_CHECK_EQUAL(standing.in.com.norm(), 0.0);
+  BOOST_CHECK_LT(standing.in.com.norm(), 1e-4);
   s.stand = false;
   PointWalk marching(s, 0.0, zero);
   while (marching.in.t < 4.0) BOOST_REQUIRE(!marching.step().at_rest);
