@@ -29,10 +29,11 @@ int count(const mjModel* m, Phase phase, Terms terms, const std::string& kernel)
   description.place(m, d);
   controller.reset(d);
   const WalkSettings& used = controller.settings();
-  const Schedule schedule(used.T_ds_first, used.T_ds, used.T_ss);
+  Schedule schedule(used.T_ds_first, used.T_ds, used.T_ss);  // as it is in this walk, whose steps are all slow
   int cycles = 0;
   while (d->time < 2.4) {
     mj_step1(m, d);
+    if (schedule.landed(d->time)) schedule.next(schedule.times());
     if (d->time >= 1.6 && schedule.at(d->time).phase == phase) {
       counted_update(controller, d, terms);
       ++cycles;

@@ -11,6 +11,7 @@ namespace {
 
 const RobotScale kRobot{0.747, 9.81, 0.001, 0.22};
 constexpr double kPeriod = 0.8, kTc = 0.276, kDt = 1e-3;
+const SoleSize kSole{0.25, 0.14};
 const std::array<Foothold, 2> kStart{Foothold{Vec2(0, 0.11), 0.0}, Foothold{Vec2(0, -0.11), 0.0}};
 
 WalkSettings settings(Footsteps kind, std::vector<double> lengths = {}) {
@@ -21,7 +22,7 @@ WalkSettings settings(Footsteps kind, std::vector<double> lengths = {}) {
 }
 
 FootstepPlanner planner(const WalkSettings& s, const VelocityProfile& profile) {
-  FootstepPlanner out(s, profile);
+  FootstepPlanner out(s, profile, kSole);
   out.reset(kStart, 0.0);
   return out;
 }
@@ -43,8 +44,9 @@ BOOST_AUTO_TEST_CASE(list_of_steps_repeats_its_last_length) {
   BOOST_CHECK_EQUAL(printed.lead(50, 0.0, kPeriod), 0.25);
 }
 
-BOOST_AUTO_TEST_CASE(without_a_list_a_step_is_as_long_as_the_plan_of_its_period) {
-  CHECK_NEAR(planner(settings(Footsteps::kTied), paper).lead(7, 1.2, kPeriod), paper.displacement(1.2, 2.0).x(), 0.0);
+BOOST_AUTO_TEST_CASE(without_a_list_a_step_is_half_of_what_the_plan_does_in_either_stance) {
+  CHECK_NEAR(planner(settings(Footsteps::kTied), paper).lead(7, 1.2, kPeriod),
+             0.5 * (paper.displacement(0.4, 1.2) + paper.displacement(1.2, 2.0)).x(), 1e-15);
 }
 
 BOOST_AUTO_TEST_CASE(corrected_lengths_advance_at_the_planned_speed_and_printed_ones_do_not) {
@@ -57,16 +59,17 @@ BOOST_AUTO_TEST_CASE(corrected_lengths_advance_at_the_planned_speed_and_printed_
   BOOST_CHECK_EQUAL(planner(settings(Footsteps::kAbsolute), paper).mismatch(10, kPeriod), 0.0);
 }
 
-BOOST_AUTO_TEST_CASE(a_listed_step_leads_the_measured_stance_foot_at_the_step_width) {
+BOOST_AUTO_TEST_CASE(a_listed_step_leads_the_measured_stance_foot_and_lands_beside_the_path) {
   FootstepPlanner feet = planner(settings(Footsteps::kPaper), paper);
   const Foothold to = feet.begin_step(1, kLeft, {Vec2(0.3, -0.1), 0.02}, 1.0, kPeriod);
-  CHECK_NEAR(to.p, Vec2(0.3 + 0.15, -0.1 + 0.22), 1e-15);
+  // Leads are between the middles of the walk beside the feet: the stance foot's, half a width to its left.
+  CHECK_NEAR(to.p, Vec2(0.3 - 0.11 * std::sin(0.02) + 0.15, 0.11), 1e-15);
   BOOST_CHECK_EQUAL(to.yaw, 0.0);  // the heading of the start
-  CHECK_NEAR(feet.begin_step(2, kRight, {Vec2(0.45, 0.12), 0.0}, 1.8, kPeriod).p, Vec2(0.65, -0.1), 1e-15);
+  CHECK_NEAR(feet.begin_step(2, kRight, {Vec2(0.45, 0.12), 0.0}, 1.8, kPeriod).p, Vec2(0.65, -0.11), 1e-15);
 }
 
 BOOST_AUTO_TEST_CASE(footholds_turn_with_the_heading) {
-  FootstepPlanner feet(settings(Footsteps::kPaper), paper);
+  FootstepPlanner feet(settings(Footsteps::kPaper), paper, kSole);
   feet.reset({Foothold{Vec2(-0.11, 0), M_PI_2}, Foothold{Vec2(0.11, 0), M_PI_2}}, M_PI_2);
   const Foothold to = feet.begin_step(0, kRight, {Vec2(-0.11, 0), M_PI_2}, 1.0, kPeriod);
   CHECK_NEAR(to.p, Vec2(-0.11 + 0.22, 0.1), 1e-15);
@@ -77,11 +80,13 @@ BOOST_AUTO_TEST_CASE(absolute_footholds_ignore_where_the_feet_came_to_stand) {
   for (const WalkSettings& s : {settings(Footsteps::kAbsolute), settings(Footsteps::kAbsolute, {0.1, 0.15, 0.2})}) {
     FootstepPlanner straight = planner(s, paper), slipped = planner(s, paper);
     Side swing = kRight;
+    Foothold stance = kStart[kLeft];
     for (int n = 0; n < 10; ++n, swing = other(swing)) {
-      const Foothold a = straight.begin_step(n, swing, kStart[other(swing)], 0.9 + n * kPeriod, kPeriod);
-      const Foothold b = slipped.begin_step(n, swing, {Vec2(0.01 * n, 0.3), 0.1}, 0.9 + n * kPeriod, kPeriod);
-      CHECK_NEAR(a.p, b.p, 0.0);
+      const Foothold slid{stance.p + Vec2(0.01 * n, -0.02 * side_sign(swing)), 0.05};
+      const Foothold a = straight.begin_step(n, swing, stance, 0.9 + n * kPeriod, kPeriod);
+      CHECK_NEAR(a.p, slipped.begin_step(n, swing, slid, 0.9 + n * kPeriod, kPeriod).p, 0.0);
       CHECK_NEAR(a.p.y(), 0.11 * side_sign(swing), 1e-12);
+      stance = a;
     }
   }
 }
@@ -93,45 +98,128 @@ BOOST_AUTO_TEST_CASE(absolute_footholds_put_the_planned_com_between_the_feet_in_
   for (int n = 0; n < 10; ++n, swing = other(swing)) {
     const double t_mid = 0.9 + n * kPeriod;
     const Vec2 now = feet.begin_step(n, swing, kStart[other(swing)], t_mid, kPeriod).p;
-    if (n > 0) CHECK_NEAR(0.5 * (before + now).x(), steady.displacement(0, t_mid).x(), 1e-12);
+    if (n > 0) {
+      CHECK_NEAR(0.5 * (before + now).x(), steady.displacement(0, t_mid).x(), 1e-12);
+      // Ahead of one hip, behind the other; and how far the COM goes in half of the double support.
+      CHECK_NEAR(feet.stretch({before, 0.0}, t_mid, 0.0, 0.0), 0.5 * 0.25 * kPeriod, 1e-12);
+      CHECK_NEAR(feet.stretch({before, 0.0}, t_mid, 0.16, 0.0), 0.5 * 0.25 * (kPeriod + 0.16), 1e-12);
+    }
     before = now;
   }
+}
+
+BOOST_AUTO_TEST_CASE(walking_sideways_the_narrower_step_keeps_the_step_width) {
+  const VelocityProfile aside({0.0}, {Vec3(0, 0.15, 0)});
+  FootstepPlanner feet = planner(settings(Footsteps::kAbsolute), aside);
+  double before = kNaN;
+  Side swing = kLeft;
+  for (int n = 0; n < 8; ++n, swing = other(swing)) {
+    const double y = feet.begin_step(n, swing, {Vec2(0, before), 0.0}, 0.9 + n * kPeriod, kPeriod).p.y();
+    if (n > 0) CHECK_NEAR(side_sign(swing) * (y - before), swing == kRight ? 0.22 : 0.22 + 2 * 0.15 * kPeriod, 1e-12);
+    before = y;
+  }
+}
+
+BOOST_AUTO_TEST_CASE(turning_on_the_spot_feet_go_round_its_centre_with_the_heading_half_a_period_later) {
+  const VelocityProfile turn({0.0}, {Vec3(0, 0, 0.5)});
+  FootstepPlanner feet = planner(settings(Footsteps::kAbsolute), turn);
+  Foothold stance = kStart[kLeft];
+  Side swing = kRight;
+  for (int n = 0; n < 20; ++n, swing = other(swing)) {
+    const double t_mid = n * kPeriod;
+    const Foothold to = feet.begin_step(n, swing, stance, t_mid, kPeriod);
+    CHECK_NEAR(to.yaw, 0.5 * (t_mid + 0.5 * kPeriod), 1e-12);
+    CHECK_NEAR(to.p, 0.11 * side_sign(swing) * left_of(to.yaw), 1e-12);
+    stance = to;
+  }
+}
+
+BOOST_AUTO_TEST_CASE(soles_keep_clear_of_each_other_whatever_the_turn) {
+  Numbers numbers(3);
+  const WalkSettings s = settings(Footsteps::kTied);
+  int moved = 0;
+  for (int n = 0; n < 2000; ++n) {
+    const VelocityProfile any({0.0}, {Vec3(numbers.vector(3, 0.6))});
+    FootstepPlanner feet = planner(s, any);
+    const Side swing = n % 2 ? kLeft : kRight;
+    const Foothold stance{kStart[other(swing)].p + numbers.vector(2, 0.05), numbers.uniform(-0.3, 0.3)};
+    feet.begin_step(0, swing, stance, 0.9, kPeriod);
+    for (const Foothold& to :
+         {feet.target(), Foothold(feet.update(numbers.uniform(-1, 1), numbers.uniform(-1, 1), 0.9, kPeriod, 0.3, 1.0))}) {
+      double least = 1.0;  // of the sole's corners, seen from the stance sole's edge
+      for (const double x : {-0.5, 0.5})
+        for (const double y : {-0.5, 0.5}) {
+          const Vec2 corner = to.p + x * kSole.length * ahead_of(to.yaw) + y * kSole.width * left_of(to.yaw);
+          least = std::min(least, side_sign(swing) * (corner - stance.p).dot(left_of(stance.yaw)) - 0.5 * kSole.width);
+        }
+      BOOST_CHECK_GE(least, s.foot_clearance - 1e-9);
+      moved += least < s.foot_clearance + 1e-9;
+    }
+  }
+  BOOST_CHECK_GT(moved, 100);
 }
 
 BOOST_AUTO_TEST_CASE(tied_foothold_goes_where_the_com_will_be_half_a_step_behind_less_its_lead) {
   const WalkSettings s = settings(Footsteps::kTied);
   FootstepPlanner feet = planner(s, steady);
+  feet.advance(4.6, Vec2(0.55, 0));
   feet.begin_step(3, kRight, {Vec2(0.5, 0.11), 0.0}, 5.0, kPeriod);
-  // By hand: COM at 0.55 m, 0.02 m/s too fast, 0.4 s before the middle of the next double support.
-  const double wanted = 0.55 + 0.25 * 0.4 + kTc * 0.02 + 0.5 * 0.2 - s.com_lead;
+  // By hand: COM at 0.55 m, 0.4 s before the middle of the next double support, where its DCM will be 0.006 m ahead of the plan.
+  const double wanted = 0.55 + 0.25 * 0.4 + 0.006 + 0.5 * 0.2 - s.com_lead;
   Foothold to;
-  for (int k = 0; k < 2000; ++k) to = feet.update(Vec2(0.55, 0), Vec2(0.27, 0.1), 4.6, 5.0, kPeriod, kTc, 0.3, kDt);
+  for (int k = 0; k < 2000; ++k) to = feet.update(0.006, -0.01, 5.0, kPeriod, 0.3, kDt);
   BOOST_REQUIRE_LT(std::abs(wanted - 0.7), s.foothold_reach);
-  CHECK_NEAR(to.p, Vec2(wanted, -0.11), 1e-9);
+  CHECK_NEAR(to.p, Vec2(wanted, -0.12), 1e-9);
 }
 
 BOOST_AUTO_TEST_CASE(tied_foothold_is_low_passed_clamped_and_frozen) {
   const WalkSettings s = settings(Footsteps::kTied);
   FootstepPlanner feet = planner(s, steady);
+  feet.advance(4.6, Vec2(0.55, 0));
   const Foothold nominal = feet.begin_step(3, kRight, {Vec2(0.5, 0.11), 0.0}, 5.0, kPeriod);
-  const auto update = [&](double share) {
-    return feet.update(Vec2(2.0, 0), Vec2(0.25, 0), 4.6, 5.0, kPeriod, kTc, share, kDt).p;
+  const auto update = [&](double share, double aside) {
+    return feet.update(2.0, aside, 5.0, kPeriod, share, kDt).p;
   };
-  CHECK_NEAR(update(0.1).x() - nominal.p.x(), s.foothold_reach * (1 - std::exp(-kDt / s.foothold_time)), 1e-12);
-  for (int k = 0; k < 2000; ++k) update(0.1);
-  CHECK_NEAR(update(0.1).x() - nominal.p.x(), s.foothold_reach, 1e-9);
+  CHECK_NEAR(update(0.1, 0.0).x() - nominal.p.x(), s.foothold_reach * (1 - std::exp(-kDt / s.foothold_time)), 1e-12);
+  for (int k = 0; k < 2000; ++k) update(0.1, -2.0);
+  CHECK_NEAR(update(0.1, -2.0) - nominal.p, Vec2(s.foothold_reach, -s.foothold_reach), 1e-9);
+  for (int k = 0; k < 2000; ++k) update(0.1, 2.0);
+  CHECK_NEAR(update(0.1, 2.0).y(), std::min(-0.11 + s.foothold_reach, 0.11 - kSole.width - s.foot_clearance), 1e-9);
   feet.begin_step(4, kLeft, {Vec2(0.7, -0.11), 0.0}, 5.8, kPeriod);
   const Vec2 frozen = feet.target().p;
-  CHECK_NEAR(update(0.71), frozen, 0.0);
-  BOOST_CHECK_GE(gap(update(0.7), frozen), 1e-4);
+  CHECK_NEAR(update(0.71, 0.0), frozen, 0.0);
+  BOOST_CHECK_GE(gap(update(0.7, 0.0), frozen), 1e-4);
 }
 
 BOOST_AUTO_TEST_CASE(listed_and_absolute_footholds_do_not_follow_the_com) {
   for (const Footsteps kind : {Footsteps::kPaper, Footsteps::kPrinted, Footsteps::kAbsolute}) {
     FootstepPlanner feet = planner(settings(kind), paper);
+    feet.advance(0.5, Vec2(2, 0));
     const Foothold nominal = feet.begin_step(0, kRight, kStart[kLeft], 0.9, kPeriod);
-    CHECK_NEAR(feet.update(Vec2(2, 0), Vec2(1, 0), 0.5, 0.9, kPeriod, kTc, 0.2, kDt).p, nominal.p, 0.0);
+    CHECK_NEAR(feet.update(1.0, 1.0, 0.9, kPeriod, 0.2, kDt).p, nominal.p, 0.0);
   }
+}
+
+BOOST_AUTO_TEST_CASE(last_step_goes_beside_the_stance_foot_where_the_com_comes_to_rest_near_it) {
+  const VelocityProfile stand({0.0}, {Vec3::Zero()});
+  const WalkSettings s = settings(Footsteps::kTied);
+  const auto closes = [&](const Foothold& stance, double xi) {
+    FootstepPlanner feet = planner(s, stand);
+    feet.begin_step(3, kRight, stance, 0.4, kPeriod);
+    const bool closed = feet.close(kRight, stance, xi);
+    if (closed) {
+      CHECK_NEAR(feet.target().p, stance.p - 0.22 * left_of(stance.yaw), 1e-12);
+      BOOST_CHECK_EQUAL(feet.target().yaw, stance.yaw);
+      CHECK_NEAR(feet.update(1.0, 1.0, 0.4, kPeriod, 0.1, kDt).p, feet.target().p, 0.0);
+    }
+    return closed;
+  };
+  const double reach = s.closing_reach, turn = s.closing_turn;
+  const auto aside = [](double y) { return Foothold{Vec2(0.3, 0.11 + y), 0.0}; };
+  BOOST_CHECK(closes(aside(0), 0.99 * reach) && closes(aside(0), -0.99 * reach) && !closes(aside(0), 1.01 * reach));
+  BOOST_CHECK(closes(aside(-0.99 * reach), 0.0) && !closes(aside(-1.01 * reach), 0.0));
+  BOOST_CHECK(!closes(aside(0.8 * reach), 0.8 * reach));
+  BOOST_CHECK(closes({Vec2(0, 0.11), 0.99 * turn}, 0.0) && !closes({Vec2(0, 0.11), 1.01 * turn}, 0.0));
 }
 
 BOOST_AUTO_TEST_CASE(settings_come_from_the_robot_where_they_are_not_set) {

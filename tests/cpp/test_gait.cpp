@@ -12,29 +12,39 @@ using namespace zmpwalk::testing;
 namespace {
 
 const RobotScale kRobot{0.747, 9.81, 0.001, 0.22};  // the robot of the gains: period 0.8 s
-constexpr double kHalfSole = 0.07;
+const SoleSize kSole{0.25, 0.14};
+const ZmpBounds kBounds{Vec2(-0.09, -0.0504), Vec2(0.09, 0.0504)};
+const VelocityProfile kAhead({0.0}, {Vec3(0.2, 0, 0)});
 
 WalkSettings settings(const std::string& law = "default") { return resolve(WalkSettings(law), kRobot); }
 
-/// A point mass that is a pendulum sideways and moves steadily ahead, walked by the gait. `yaw` turns the whole scene.
+/// A point mass on a pendulum, walked by the gait and the smooth tracker. `yaw` turns the whole scene.
 struct PointWalk {
-  explicit PointWalk(const WalkSettings& s, double yaw = 0.0, double speed = 0.2)
-      : profile({0.0}, {Vec3(speed, 0, 0)}),
-        pendulum(kRobot.com_height, kRobot.gravity),
+  explicit PointWalk(const WalkSettings& s, double yaw = 0.0, const VelocityProfile& profile = kAhead)
+      : pendulum(kRobot.com_height, kRobot.gravity),
         dt(s.control_dt),
         R(rotation_z(yaw)),
-        gait(s, profile, kHalfSole) {
+        tracker(TrackerLaw::kSmooth, s.tracker_gain, s.tracker_time, s.tracker_deadband, s.tracker_reach),
+        gait(s, profile, kSole, {kBounds, kBounds}) {
     in.p_sole = {R * Vec3(0, 0.11, 0), R * Vec3(0, -0.11, 0)};
     in.R_sole = {R, R};
-    in.dcom = (R * Vec3(speed, 0, 0)).head<2>();
     gait.reset(in, pendulum);
   }
   const GaitOutput& step() {
+    in.catch_up = tracker.catch_up();
     const GaitOutput& out = gait.update(in);
-    const Vec2 ahead = R.col(0).head<2>(), left = R.col(1).head<2>(), p = in.com - out.origin;
-    const PendulumState y = pendulum.step(dt, {p.dot(left), in.dcom.dot(left)}, out.zmp_lateral);
-    in.com = out.origin + (p.dot(ahead) + in.dcom.dot(ahead) * dt) * ahead + y.x * left;
-    in.dcom = in.dcom.dot(ahead) * ahead + y.v * left;
+    const Mat2 R_S = rotation_z(out.yaw).topLeftCorner<2, 2>();
+    const Vec2 wanted = reference_zmp(out, pendulum, tracker, in.com, in.dcom);
+    zmp = out.origin + R_S * out.room.clamp(R_S.transpose() * (wanted - out.origin));
+    for (int i = 0; i < 2; ++i) {
+      const PendulumState s = pendulum.step(dt, {in.com[i], in.dcom[i]}, zmp[i]);
+      in.com[i] = s.x;
+      in.dcom[i] = s.v;
+    }
+    if (out.at_rest)
+      tracker.reset();
+    else
+      tracker.advance(in.dcom.dot(ahead_of(out.heading)), out.v_plan.x(), dt);
     in.t += dt;
     if (out.phase.phase == Phase::kSingleSupport) {
       in.p_sole[out.swing] = out.swing_target.p;
@@ -42,13 +52,15 @@ struct PointWalk {
     }
     return out;
   }
+  Vec2 middle() const { return 0.5 * (in.p_sole[kLeft] + in.p_sole[kRight]).head<2>(); }
 
-  VelocityProfile profile;
   LinearInvertedPendulum pendulum;
   double dt;
   Mat3 R;
+  VelocityTracker tracker;
   GaitGenerator gait;
   GaitInput in;
+  Vec2 zmp;
 };
 
 /// When support switched, in each double support [s since it began].
@@ -66,8 +78,9 @@ std::vector<double> switch_times(PointWalk& walk, double duration) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(schedule_is_first_double_support_then_single_and_double_in_turn) {
-  const Schedule schedule(0.18, 0.16, 0.64);
+  Schedule schedule(0.18, 0.16, 0.64);
   const auto is = [&](double t, Phase phase, int step, double time, double duration) {
+    while (schedule.landed(t)) schedule.next(schedule.times());
     const GaitPhase at = schedule.at(t);
     BOOST_CHECK(at.phase == phase);
     BOOST_CHECK_EQUAL(at.step, step);
@@ -81,25 +94,42 @@ BOOST_AUTO_TEST_CASE(schedule_is_first_double_support_then_single_and_double_in_
   is(0.82, Phase::kDoubleSupport, 1, 0.0, 0.16);
   is(0.98, Phase::kSingleSupport, 1, 0.0, 0.64);
   is(0.18 + 10 * 0.8 + 0.1, Phase::kSingleSupport, 10, 0.1, 0.64);
-  CHECK_NEAR(schedule.lift_off(10), 8.18, 1e-15);
-  CHECK_NEAR(schedule.period(), 0.8, 1e-15);
+  CHECK_NEAR(schedule.lift_off(), 8.18, 1e-14);
+  CHECK_NEAR(schedule.touch_down(), 8.82, 1e-14);
 }
 
 BOOST_AUTO_TEST_CASE(schedule_counts_down_to_the_middles_of_the_coming_phases) {
-  const Schedule schedule(0.18, 0.16, 0.64);
+  Schedule schedule(0.18, 0.16, 0.64);
   CHECK_NEAR(schedule.at(0.0).to_mid_single, 0.18 + 0.32, 1e-12);
   CHECK_NEAR(schedule.at(0.0).to_mid_double, 0.18 + 0.64 + 0.08, 1e-12);
   CHECK_NEAR(schedule.at(0.6).to_mid_single, -0.1, 1e-12);
   CHECK_NEAR(schedule.at(0.6).to_mid_double, 0.3, 1e-12);
+  schedule.next(schedule.times());
   CHECK_NEAR(schedule.at(0.9).to_mid_double, 0.8, 1e-12);  // in double support: the one after this
 }
 
+BOOST_AUTO_TEST_CASE(a_step_ends_with_its_own_double_support_whatever_the_next_one_takes) {
+  Schedule schedule(0.18, 0.16, 0.64);
+  schedule.next({0.05, 0.45});
+  CHECK_NEAR(schedule.at(0.9).duration, 0.16, 1e-15);
+  CHECK_NEAR(schedule.lift_off(), 0.98, 1e-12);
+  CHECK_NEAR(schedule.touch_down(), 1.43, 1e-12);
+  schedule.next({0.1, 0.7});
+  CHECK_NEAR(schedule.lift_off(), 1.48, 1e-12);
+  CHECK_NEAR(schedule.at(1.5).to_mid_double, 1.48 + 0.7 + 0.05 - 1.5, 1e-12);
+  schedule.begin(3, 5.0, 0.2, {0.16, 0.64});  // again, from a stand
+  BOOST_CHECK_EQUAL(schedule.at(5.1).step, 3);
+  CHECK_NEAR(schedule.at(5.1).time, 0.1, 1e-12);
+  CHECK_NEAR(schedule.lift_off(), 5.2, 1e-12);
+}
+
 BOOST_AUTO_TEST_CASE(phases_last_the_same_number_of_cycles_however_times_are_summed) {
-  const Schedule schedule(0.18, 0.16, 0.64);
+  Schedule schedule(0.18, 0.16, 0.64);
   double t = 0.0;
   std::vector<int> cycles{0};
   Phase phase = Phase::kDoubleSupport;
   for (int k = 0; k < 60000; ++k, t += 0.001) {
+    if (schedule.landed(t)) schedule.next(schedule.times());
     const GaitPhase now = schedule.at(t);
     if (now.phase != phase) cycles.push_back(0);
     phase = now.phase;
@@ -107,6 +137,30 @@ BOOST_AUTO_TEST_CASE(phases_last_the_same_number_of_cycles_however_times_are_sum
   }
   BOOST_CHECK_EQUAL(cycles[0], 180);
   for (std::size_t i = 1; i + 1 < cycles.size(); ++i) BOOST_CHECK_EQUAL(cycles[i], i % 2 ? 640 : 160);
+}
+
+BOOST_AUTO_TEST_CASE(faster_walks_take_longer_steps_then_faster_ones_with_shorter_double_supports_without_a_jump) {
+  const WalkSettings s = settings();
+  const Cadence cadence{{s.T_ds, s.T_ss}, s.cadence_speed, s.cadence_exponent, s.cadence_double, {1.0, 3.0, 0.4}};
+  const double eps = 1e-9;
+  for (const Vec3& along : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1.0 / 3, 0), Vec3(0, 0, -2.5)}) {
+    StepTimes before = cadence.times(Vec3::Zero());
+    BOOST_CHECK_EQUAL(before.period(), s.T_ds + s.T_ss);
+    for (double v = 0.01; v < 1.5; v += 0.01) {
+      const StepTimes now = cadence.times(v * along);
+      if (v <= s.cadence_speed) {
+        BOOST_CHECK_EQUAL(now.T_ss, s.T_ss);
+        BOOST_CHECK_EQUAL(now.T_ds, s.T_ds);
+      } else {
+        BOOST_CHECK_LT(now.period(), before.period());
+        BOOST_CHECK_LT(now.T_ds / now.period(), before.T_ds / before.period());
+      }
+      BOOST_CHECK_GT(v * now.period(), (v - 0.01) * before.period());  // steps still grow longer
+      before = now;
+    }
+    CHECK_NEAR(cadence.times((1 + eps) * s.cadence_speed * along).T_ds, s.T_ds, eps);
+    CHECK_NEAR(cadence.times((1 + eps) * s.cadence_speed * along).T_ss, s.T_ss, eps);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(schedule_refuses_phases_without_length) {
@@ -244,4 +298,68 @@ BOOST_AUTO_TEST_CASE(feet_tied_to_the_com_keep_up_with_it_and_their_width) {
   BOOST_CHECK_LE(std::abs(walk.in.com.x() - mid.x()), 0.1);
   CHECK_NEAR(walk.in.p_sole[kLeft].y(), 0.11, 1e-9);
   CHECK_NEAR(walk.in.p_sole[kRight].y(), -0.11, 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(walks_everywhere_stops_with_feet_side_by_side_and_starts_again) {
+  for (const Vec3& v : {Vec3(0.2, 0, 0), Vec3(0.5, 0, 0), Vec3(-0.2, 0, 0), Vec3(0, 0.15, 0), Vec3(0, -0.15, 0),
+                        Vec3(0, 0, 0.5), Vec3(0.3, 0.1, -0.4)}) {
+    const WalkSettings s = settings();
+    PointWalk walk(s, 0.7, VelocityProfile({0.0, 6.0, 14.0}, {v, Vec3::Zero(), v}));
+    double stood = kNaN;
+    Vec2 rest = Vec2::Zero();
+    while (walk.in.t < 20.0) {
+      const GaitOutput& out = walk.step();
+      const double t = walk.in.t;
+      BOOST_REQUIRE_LT((walk.in.com - walk.middle()).norm(), 0.4);  // neither fallen nor left behind
+      if (t > 1.0 && t < 6.0) BOOST_CHECK(!out.at_rest);
+      if (out.at_rest && std::isnan(stood)) stood = t;
+      if (t < 12.0) rest = walk.in.com;
+      if (t > 12.0 && t < 13.5) {
+        BOOST_CHECK(out.at_rest && out.standing[kLeft] && out.standing[kRight]);
+        BOOST_CHECK_LT((walk.in.com - rest).norm(), 1e-3);
+        BOOST_CHECK_LT((walk.zmp - walk.middle()).norm(), 1e-3);
+      }
+      if (t > 15.0) BOOST_CHECK(!out.at_rest);
+      if (t < 13.0 || t > 13.0 + walk.dt) continue;
+      const Vec3 across = walk.in.R_sole[kRight].transpose() * (walk.in.p_sole[kLeft] - walk.in.p_sole[kRight]);
+      CHECK_NEAR(across.head<2>(), Vec2(0, s.step_width), 1e-3);
+      CHECK_NEAR(walk.in.R_sole[kLeft], walk.in.R_sole[kRight], 1e-3);
+      // The commands lead there, but for the last step and the lead of the COM over its feet.
+      const Vec3 travel = walk.gait.plan().travel(0.0, 13.0);
+      CHECK_NEAR(walk.in.com, (walk.R * Vec3(travel.x(), travel.y(), 0)).head<2>(), s.closing_reach + s.com_lead);
+      CHECK_NEAR(out.heading, 0.7 + travel.z(), 1e-9);
+    }
+    BOOST_CHECK_LT(stood, 6.0 + 4.0 * (s.T_ss + s.T_ds));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_zero_profile_stands_or_steps_on_the_spot_as_asked) {
+  const VelocityProfile zero({0.0}, {Vec3::Zero()});
+  WalkSettings s = settings();
+  PointWalk standing(s, 0.0, zero);
+  standing.in.com = {0.01, -0.02};
+  while (standing.in.t < 4.0) BOOST_REQUIRE(standing.step().at_rest);
+  BOOST_CHECK_LT(standing.in.com.norm(), 1e-4);
+  s.stand = false;
+  PointWalk marching(s, 0.0, zero);
+  while (marching.in.t < 4.0) BOOST_REQUIRE(!marching.step().at_rest);
+  BOOST_CHECK_EQUAL(marching.gait.schedule().at(4.0).step, 4);
+}
+
+BOOST_AUTO_TEST_CASE(a_command_leads_from_the_next_cycle_on_until_reset) {
+  const WalkSettings s = settings();
+  PointWalk walk(s, 0.0, VelocityProfile({0.0}, {Vec3::Zero()}));
+  while (walk.in.t < 1.0) walk.step();
+  walk.gait.command({0.5, 0, 0});
+  CHECK_NEAR(walk.step().v_plan, Vec3(s.forward_jump, 0, 0), 1e-12);
+  BOOST_CHECK(!walk.step().at_rest);
+  while (walk.in.t < 6.0) walk.step();
+  CHECK_NEAR(walk.step().v_plan, Vec3(0.5, 0, 0), 0.0);
+  walk.gait.command(Vec3::Zero());
+  while (walk.in.t < 12.0) walk.step();
+  BOOST_CHECK(walk.step().at_rest);
+  walk.gait.command({0.2, 0, 0});
+  walk.in.t = 0.0;
+  walk.gait.reset(walk.in, walk.pendulum);
+  BOOST_CHECK(walk.step().at_rest);  // neither the command in force nor the one on its way
 }

@@ -77,10 +77,11 @@ struct Seen {
   long cycles = 0, recording = 0, locks = 0;
   bool single = false, both = false, left = false, right = false, modified = false, saturated = false;
   int steps = 0;
+  std::size_t rows = 0;
 };
 
 Seen walk(double duration, const WalkSettings& s, const mjModel* m = mahru(), Terms terms = Terms::kCompute,
-          const JointMotion& motion = JointMotion()) {
+          const JointMotion& motion = JointMotion(), const std::vector<Vec3>& commands = {}) {
   WalkingController controller(m, describe(mahru()), s);
   controller.move(motion);
   Recorder recorder(controller, duration);
@@ -90,6 +91,8 @@ Seen walk(double duration, const WalkSettings& s, const mjModel* m = mahru(), Te
   Seen seen;
   while (d->time < duration) {
     const CycleOutput* out = nullptr;
+    if (seen.rows % 400 == 200 && seen.rows / 400 < commands.size()) controller.command(commands[seen.rows / 400]);
+    ++seen.rows;
     if (terms == Terms::kInData) mj_step1(m, d.get());
     seen.cycles += allocated([&] { out = &controller.update(d.get(), terms); });
     seen.locks += locks;
@@ -170,6 +173,11 @@ BOOST_AUTO_TEST_CASE(cycle_that_moves_waist_trunk_and_arms_allocates_nothing) {
   const RowMatX q = (RowMatX(2, 3) << 0, 0, -0.5, 0.3, 0.1, -1.0).finished();
   const JointMotion motion(Vec2(0, 0.7), {"waist_yaw", "trunk_pitch", "l_elbow"}, q);
   stays_off_the_heap(walk(1.5, s, mahru(), Terms::kCompute, motion));
+}
+
+BOOST_AUTO_TEST_CASE(cycle_that_takes_commands_allocates_nothing_and_takes_no_lock) {
+  const std::vector<Vec3> commands{{0.3, 0, 0}, {0.1, 0.1, 0.3}, {-0.2, 0, -0.2}, {0, 0, 0}};
+  stays_off_the_heap(walk(2.5, WalkSettings(), mahru(), Terms::kCompute, JointMotion(), commands));
 }
 
 BOOST_AUTO_TEST_CASE(cycle_in_a_scene_allocates_nothing) {

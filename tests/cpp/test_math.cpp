@@ -1,9 +1,12 @@
 #include <Eigen/Eigenvalues>
+#include <atomic>
 #include <cmath>
+#include <thread>
 
 #include "testing.hpp"
 #include "zmpwalk/math/error.hpp"
 #include "zmpwalk/math/inverse.hpp"
+#include "zmpwalk/math/mailbox.hpp"
 #include "zmpwalk/math/rotation.hpp"
 #include "zmpwalk/math/spline.hpp"
 
@@ -156,4 +159,42 @@ BOOST_AUTO_TEST_CASE(left_is_positive_and_the_other_side_of_right) {
   BOOST_CHECK_EQUAL(side_sign(kLeft), 1.0);
   BOOST_CHECK_EQUAL(side_sign(kRight), -1.0);
   BOOST_CHECK(other(kRight) == kLeft && other(kLeft) == kRight);
+}
+
+BOOST_AUTO_TEST_CASE(mailbox_gives_the_newest_once_and_nothing_before) {
+  Mailbox box;
+  Vec3 got = Vec3::Constant(kNaN);
+  BOOST_CHECK(!box.take(got));
+  box.put({1, 2, 3});
+  box.put({4, 5, 6});
+  BOOST_CHECK(box.take(got));
+  CHECK_NEAR(got, Vec3(4, 5, 6), 0.0);
+  BOOST_CHECK(!box.take(got));
+}
+
+BOOST_AUTO_TEST_CASE(mailbox_never_mixes_what_two_threads_put) {
+  constexpr int kPuts = 200000;
+  Mailbox box;
+  std::atomic<int> writing{2};
+  const auto put = [&](double sign) {
+    for (int i = 1; i <= kPuts; ++i) box.put(sign * Vec3(i, 2 * i, 3 * i));
+    --writing;
+  };
+  std::thread forward(put, 1.0), backward(put, -1.0);
+  double newest[2] = {0.0, 0.0};
+  int torn = 0, stale = 0;
+  Vec3 got = Vec3::Zero();
+  for (bool more = true; more;) {
+    more = writing > 0;  // read before the last look into the box
+    if (!box.take(got)) continue;
+    double& before = newest[got.x() > 0];
+    torn += got != got.x() * Vec3(1, 2, 3);
+    stale += std::abs(got.x()) <= before;
+    before = std::abs(got.x());
+  }
+  forward.join();
+  backward.join();
+  BOOST_CHECK_EQUAL(std::abs(got.x()), kPuts);  // the last of all is never lost
+  BOOST_CHECK_EQUAL(torn, 0);
+  BOOST_CHECK_EQUAL(stale, 0);
 }

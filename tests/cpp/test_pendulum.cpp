@@ -126,9 +126,28 @@ BOOST_AUTO_TEST_CASE(reference_to_reach_brings_the_dcm_there_in_time) {
 }
 
 BOOST_AUTO_TEST_CASE(dcm_of_the_orbit_returns_mirrored_after_a_period) {
-  // About the foot left behind xi = orbit_dcm; about the new one width less; a period later it is that, mirrored.
-  const double width = 0.22, period = 0.8, xi = pendulum.orbit_dcm(width, period);
-  CHECK_NEAR((xi - width) * std::exp(period / pendulum.Tc()), -xi, 1e-12);
+  // About the foot to come xi = -orbit_inset, about the next one it is +orbit_inset a period later, `width` to the other side.
+  const double width = 0.22, period = 0.8, inset = pendulum.orbit_inset(width, period);
+  CHECK_NEAR(-inset * std::exp(period / pendulum.Tc()), -(width - inset), 1e-12);
+}
+
+BOOST_AUTO_TEST_CASE(pendulum_over_alternating_feet_that_drift_repeats_the_orbit) {
+  for (const double drift : {0.0, 0.05, -0.12})
+    for (const double period : {0.45, 0.8}) {
+      const double width = 0.22 + std::abs(drift);
+      const auto foot = [&](int n) { return n * drift + (n % 2 ? -0.5 : 0.5) * width; };
+      const auto orbit = [&](int n) {  // DCM in the middle of the double support before foot n carries the ZMP
+        return foot(n) - (n % 2 ? -1 : 1) * pendulum.orbit_inset(width, period) + pendulum.orbit_offset(drift, period);
+      };
+      PendulumState s{0.0, 0.0};
+      for (int n = 0; n < 24; ++n) {
+        s.v = (orbit(n) - s.x) / pendulum.Tc();  // what rounding adds to the DCM grows; everything else decays
+        const PendulumState middle = pendulum.step(0.5 * period, s, foot(n));
+        s = pendulum.step(0.5 * period, middle, foot(n));
+        CHECK_NEAR(pendulum.dcm(s), orbit(n + 1), 1e-12);
+        if (n > 20) CHECK_NEAR(middle.v, pendulum.orbit_velocity(drift, period), 1e-12);
+      }
+    }
 }
 
 BOOST_AUTO_TEST_CASE(first_double_support_is_as_long_as_published_and_grows_with_the_robot) {

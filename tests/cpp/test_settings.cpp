@@ -43,24 +43,65 @@ BOOST_AUTO_TEST_CASE(a_profile_that_the_legs_cannot_walk_is_refused_with_their_l
   const WalkingController controller(mahru(), describe(mahru()));
   const double limit = controller.speed_limit();
   BOOST_CHECK_GT(limit, 0.25);
-  BOOST_CHECK_LT(limit, 1.0);
   refused_profile(VelocityProfile({0.0, 5.0}, {Vec3(0.1, 0, 0), Vec3(1.01 * limit, 0, 0)}),
-                  "this robot's legs reach 0 to " + std::to_string(limit));
-  refused_profile(VelocityProfile({0.0}, {Vec3(-0.1, 0, 0)}), "v_x = -0.100000");
-  refused_profile(VelocityProfile({0.0}, {Vec3(0.1, 0.1, 0)}),
-                  "v_y = 0.100000 m/s, w_z = 0.000000 rad/s; this version walks straight ahead");
-  refused_profile(VelocityProfile({0.0}, {Vec3(0.1, 0, 0.1)}), "w_z = 0.100000");
-  refused_profile(VelocityProfile({0.0}, {Vec3(0.99 * limit, 0, 0)}), "the profile starts too fast");
+                  std::to_string(limit) + " m/s straight ahead");
+  refused_profile(VelocityProfile({0.0}, {Vec3(-2.0, 0, 0)}), "(v_x, v_y, w_z) = (-2.000000 m/s, 0.000000 m/s");
+  refused_profile(VelocityProfile({0.0}, {Vec3(0, 2.0, 0)}), "this robot's legs reach as far as (0.000000 m/s, ");
+  refused_profile(VelocityProfile({0.0}, {Vec3(0, 0, 5.0)}), "5.000000 rad/s");
+}
+
+BOOST_AUTO_TEST_CASE(a_fast_start_is_refused_only_where_nothing_limits_its_rate) {
+  const auto start = [](bool rate_limit) {
+    WalkSettings s;
+    s.rate_limit = rate_limit;
+    const VelocityProfile stand({0.0}, {Vec3::Zero()});
+    const double limit = WalkingController(mahru(), describe(mahru()), s, stand).speed_limit();
+    return WalkingController(mahru(), describe(mahru()), s, VelocityProfile({0.0}, {Vec3(0.99 * limit, 0, 0)}))
+        .speed_limit();
+  };
+  BOOST_CHECK_NO_THROW(start(true));
+  CHECK_THROWS(start(false), InputError, "the profile starts too fast");
+}
+
+BOOST_AUTO_TEST_CASE(within_reach_is_itself_or_scaled_down_to_the_whole_reach) {
+  const WalkingController controller(mahru(), describe(mahru()));
+  Numbers numbers(4);
+  int scaled = 0;
+  for (int n = 0; n < 300; ++n) {
+    const Vec3 v = numbers.vector(3, 2.0), to = controller.within_reach(v);
+    CHECK_NEAR(to.cross(v), Vec3::Zero(), 1e-9);
+    BOOST_CHECK_GE(to.dot(v), 0.0);
+    if (to == v) {
+      BOOST_CHECK_LE(controller.reach_share(v), 1.0);
+    } else {
+      CHECK_NEAR(controller.reach_share(to), 1.0, 1e-9);
+      ++scaled;
+    }
+    BOOST_CHECK_LE(controller.reach_share(0.5 * v), controller.reach_share(v));
+  }
+  BOOST_CHECK(scaled > 50 && scaled < 300);
 }
 
 BOOST_AUTO_TEST_CASE(slower_steps_reach_less_speed) {
-  WalkSettings slow;
+  WalkSettings s;
+  s.cadence_exponent = s.cadence_double = 0.0;  // every step takes the same time: the reach is a length
+  WalkSettings slow = s;
   slow.T_ss = 1.28;
   slow.T_ds = 0.32;
   const VelocityProfile stand({0.0}, {Vec3::Zero()});
-  const double limit = WalkingController(mahru(), describe(mahru()), WalkSettings(), stand).speed_limit();
-  const double T = WalkingController(mahru(), describe(mahru())).settings().T_ss / 0.8;
-  CHECK_NEAR(WalkingController(mahru(), describe(mahru()), slow, stand).speed_limit(), limit * T / 1.6, 1e-9);
+  const WalkingController usual(mahru(), describe(mahru()), s, stand);
+  CHECK_NEAR(WalkingController(mahru(), describe(mahru()), slow, stand).speed_limit(),
+             usual.speed_limit() * usual.settings().T_ss / 1.28, 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(a_command_that_is_not_finite_is_refused_and_nothing_changes) {
+  WalkingController controller(mahru(), describe(mahru()));
+  for (const double bad : {kNaN, std::numeric_limits<double>::infinity()})
+    CHECK_THROWS(controller.command({0.1, bad, 0}), InputError, "is not finite");
+  const MjDataPtr d = make_data(mahru());
+  controller.robot().description().place(mahru(), d.get());
+  controller.reset(d.get());
+  BOOST_CHECK(std::isnan(controller.update(d.get()).command.x()));
 }
 
 BOOST_AUTO_TEST_CASE(printed_footsteps_are_reported_as_a_mismatch_before_they_are_walked) {

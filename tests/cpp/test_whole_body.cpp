@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(shared_wrenches_add_up_to_the_total_at_one_offset) {
     const std::array<Vec3, 2> c{Vec3(0.05, 0.11, 0) + numbers.vector(3, 0.05),
                                 Vec3(-0.05, -0.11, 0) + numbers.vector(3, 0.05)};
     const Vec3 F = Vec3(0, 0, -600) + numbers.vector(3, 100), M_P = numbers.vector(3, 20), P = numbers.vector(3, 0.2);
-    const Vec12 f = distribute_wrench(F, M_P, P, c, Vec3::UnitY());
+    const Vec12 f = distribute_wrench(F, M_P, P, c, Vec3::UnitY(), i % 2 ? numbers.uniform(0.0, 0.15) : 0.0);
     const Wrench total = total_wrench(f, c, P);
     CHECK_NEAR(total.F, F, 1e-11);
     CHECK_NEAR(total.M, M_P, 1e-11);
@@ -120,6 +120,23 @@ BOOST_AUTO_TEST_CASE(load_is_shared_by_where_the_zmp_is_between_the_feet) {
   // Feet in line, as on a beam: shared along the line between them.
   const std::array<Vec3, 2> beam{Vec3(0.2, 0, 0), Vec3(-0.2, 0, 0)};
   CHECK_NEAR(distribute_wrench(F, Vec3::Zero(), Vec3(0.1, 0, 0), beam, Vec3::UnitY())[2], -75.0, 1e-12);
+}
+
+BOOST_AUTO_TEST_CASE(near_a_sole_its_foot_carries_everything_and_between_the_load_goes_over_without_a_jump) {
+  const std::array<Vec3, 2> c{Vec3(0.05, 0.1, 0), Vec3(-0.05, -0.1, 0)}, beam{Vec3(0.1, 0, 0), Vec3(-0.1, 0, 0)};
+  const Vec3 F(20, -10, -100), M_P(0, 0, 3);
+  constexpr double h = 1e-4;
+  for (const double alone : {0.05, 0.3}) {
+    const double margin = std::min(alone, 0.09);  // less than half of the feet's distance, whatever is asked for
+    Vec12 before = distribute_wrench(F, M_P, Vec3(0, -0.15, 0), c, Vec3::UnitY(), alone);
+    for (double y = -0.15 + h; y < 0.15; y += h) {
+      const Vec12 f = distribute_wrench(F, M_P, Vec3(0, y, 0), c, Vec3::UnitY(), alone);
+      if (std::abs(y) > 0.1 - margin) CHECK_NEAR(f[2] / F.z(), y > 0 ? 1.0 : 0.0, 1e-12);
+      CHECK_NEAR(f, before, 1.01 * F.norm() * h / (0.2 - 2.0 * margin));
+      before = f;
+    }
+    CHECK_NEAR(distribute_wrench(F, M_P, Vec3(0.101 - margin, 0, 0), beam, Vec3::UnitY(), alone)[2], F.z(), 1e-12);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(straight_legs_damp_the_motion_and_leave_it_finite) {

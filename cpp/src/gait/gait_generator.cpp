@@ -68,6 +68,9 @@ void GaitGenerator::reset(const GaitInput& start, const LinearInvertedPendulum& 
   lateral_.reset(out_.support);
   schedule_.begin(0, 0.0, settings_.T_ds_first, cadence_.slow);
   out_.at_rest = true;  // until the first cycle finds that the plan moves
+  out_.origin = start.p_sole[out_.support].head<2>();
+  out_.yaw = yaw_of(start.R_sole[out_.support]);
+  out_.room = room(start);
 }
 
 void GaitGenerator::command(const Vec3& velocity) {

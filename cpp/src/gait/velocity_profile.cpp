@@ -120,6 +120,7 @@ void VelocityProfile::follow(double t, double length, const Vec3& from, const Ve
       caught[i] = stopped[i] = kForever;
       if (on[i] && std::abs(slope[i]) <= a) {
         rate[i] = slope[i];
+        if (slows && std::abs(slope[i]) > limits.acceleration[i]) stopped[i] = -v[i] / slope[i];
       } else {
         on[i] = false;
         rate[i] = std::copysign(a, towards);
@@ -140,6 +141,7 @@ void VelocityProfile::follow(double t, double length, const Vec3& from, const Ve
         end[i] = target[i];
       } else if (stopped[i] <= dt) {
         end[i] = 0.0;
+        if (on[i]) target[i] = 0.0;
       }
       const double spent = std::abs(end[i] - v[i]);
       allowance[i] = std::min(limits.jump[i], allowance[i] + std::max(limits.acceleration[i] * dt - spent, 0.0));
