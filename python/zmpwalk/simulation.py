@@ -182,14 +182,7 @@ def simulate(
     model, description = load_robot(robot)
     controller = WalkingController(model, description, settings, profile)
     controller.move(motion)
-    return run(
-        controller,
-        duration,
-        on_progress,
-        seed,
-        robot if isinstance(robot, str) and robot.isidentifier() else None,
-        command,
-    )
+    return run(controller, duration, on_progress, seed, name_of(robot), command)
 
 
 def simulate_batch(
@@ -233,9 +226,8 @@ def simulate_batch(
             robots[key] = load_robot(robot)
         controller = WalkingController(*robots[key], given.get("settings"), given.get("profile"))
         controller.move(given.get("motion"))
-        label = robot if isinstance(robot, str) and robot.isidentifier() else None
         duration, seed = check_duration(given.get("duration", 8.0)), _check_seed(given.get("seed", 0))
-        jobs.append((controller, duration, seed, label, given.get("command")))
+        jobs.append((controller, duration, seed, name_of(robot), given.get("command")))
 
     done, total = [0.0] * len(jobs), sum(job[1] for job in jobs)
     stop = threading.Event()
@@ -299,6 +291,11 @@ def run(
 
 def _velocity(v: float | Sequence[float] | None) -> np.ndarray | None:
     return None if v is None else three(v)
+
+
+def name_of(robot: Robot) -> str | None:
+    """What a trace calls `robot`: the name it was asked for by, None for a path or a model."""
+    return robot if isinstance(robot, str) and robot.isidentifier() else None
 
 
 def _check_seed(seed: int) -> int:

@@ -12,7 +12,7 @@ from .analysis import feet_pose
 from .description import Robot, load_robot
 from .errors import DimensionError, InputError
 from .profiles import VelocityProfile
-from .simulation import Progress, WalkingController, check_duration, run
+from .simulation import Progress, WalkingController, check_duration, name_of, run
 from .trace import Trace, plain
 
 __all__ = ["Waypoints", "walk_to"]
@@ -240,8 +240,7 @@ def walk_to(
             raise StopIteration
         return velocity
 
-    name = robot if isinstance(robot, str) and robot.isidentifier() else None
-    trace = run(controller, timeout, on_progress, robot=name, command=command)
+    trace = run(controller, timeout, on_progress, robot=name_of(robot), command=command)
     trace.meta["waypoints"] = plain({"points": follower.points, "reached": follower.index})
     return trace
 
