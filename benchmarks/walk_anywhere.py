@@ -76,15 +76,15 @@ def walk(speed):
     return {"profile": VelocityProfile.ramp(0.0, speed, ramp), "duration": ramp + STEADY}
 
 
-def stops():
-    """Arguments of the walk that stops and starts again."""
+def stops(times=STOPS):
+    """Arguments of the walk that stops and starts again `times`."""
     period = STOP_WALK + STOP_STAND
-    points = [(period * i + t, v) for i in range(STOPS) for t, v in ((0.0, STOP_SPEED), (STOP_WALK, 0.0))]
-    return {"profile": VelocityProfile.piecewise(points), "duration": STOPS * period}
+    points = [(period * i + t, v) for i in range(times) for t, v in ((0.0, STOP_SPEED), (STOP_WALK, 0.0))]
+    return {"profile": VelocityProfile.constant(0.0), "command": live(points), "duration": times * period}
 
 
 def measure(trace, start=0.0):
-    """Numbers of a walk: fell (time [s] or None), torque [%], saturated, self_contacts (cycles); and from `start` [s] on
+    """Numbers of a walk: fell (time [s] or None), torque [%], saturated, self_contacts (cycles); from `start` [s] on
     median and p95 of |estimated ZMP - CoP| (2,) [mm] and, over whole strides, velocity (3,), period [s]."""
     rows = trace.t >= start
     error = 1e3 * np.abs(trace.zmp_est - trace.zmp_meas)[rows]
@@ -125,16 +125,16 @@ def miss(trace):
 
 
 def stop_numbers(trace):
-    """For each stop: landings and time [s] until rest, and the COM's motion in the last 5 s of the stand [mm]; NaN
+    """For each stop: feet lifted and time [s] until rest, and the COM's motion in the last 5 s of the stand [mm]; NaN
     where that never came."""
-    for i in range(STOPS):
+    for i in range(round(trace.meta["requested_duration"] / (STOP_WALK + STOP_STAND))):
         begin = i * (STOP_WALK + STOP_STAND) + STOP_WALK
         rows = np.flatnonzero((trace.t >= begin) & (trace.t < begin + STOP_STAND))
         rest = rows[trace.at_rest[rows] > 0] if len(rows) else rows
         if not len(rest) or trace.t[-1] < begin + STOP_STAND - 0.1:
             yield math.nan, math.nan, math.nan
             continue
-        steps = np.count_nonzero(np.diff(trace.phase[rows[0] : rest[0] + 1]) < 0)
+        steps = np.count_nonzero(np.diff(trace.phase[rows[0] : rest[0] + 1]) > 0)
         last = trace.com[rows[trace.t[rows] >= begin + STOP_STAND - 5.0]]
         yield steps, trace.t[rest[0]] - begin, 1e3 * float(np.linalg.norm(np.ptp(last, axis=0)))
 
@@ -184,7 +184,8 @@ def ladder(run):
         rows.append((
             f"{speed:g}", result(m["fell"]), marked(f"{off:+.2f}", abs(off) <= LARGEST_SPEED_ERROR),
             marked(pair(m["median"]), max(m["median"]) <= LARGEST_MEDIAN),
-            marked(pair(m["p95"]), max(m["p95"]) <= limit), "" if math.isinf(limit) else f"{limit:g}", f"{m['torque']:.0f}", str(m["saturated"]),
+            marked(pair(m["p95"]), max(m["p95"]) <= limit), "" if math.isinf(limit) else f"{limit:g}",
+            f"{m['torque']:.0f}", str(m["saturated"]),
             f"{speed * m['period']:.3f}, {m['period']:.3f}",
         ))  # fmt: skip
         if m["fell"] is not None and speed > max(LADDER):
@@ -236,7 +237,7 @@ def stopping(run):
         for i, (n, t, mm) in enumerate(numbers, 1)
     ]
     fell = trace.meta["fall_time"]
-    return [f"Whole walk: {result(fell)}.", "", *table(("stop", "steps", "s", "COM moves, mm"), rows)]
+    return [f"Whole walk: {result(fell)}.", "", *table(("stop", "feet lifted until rest", "s", "COM moves, mm"), rows)]
 
 
 def jumping(run, seeds=SEEDS):
