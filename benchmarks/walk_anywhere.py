@@ -179,8 +179,8 @@ def ladder(run):
         m = measure(trace, speed / RAMP + 2.0)
         off = 100 * (m["velocity"][0] / speed - 1)
         limit = LADDER.get(speed, math.inf)
-        if m["fell"] is None and speed >= highest:
-            highest = speed
+        if m["fell"] is None and abs(off) <= LARGEST_SPEED_ERROR:
+            highest = max(highest, speed)
         rows.append((
             f"{speed:g}", result(m["fell"]), marked(f"{off:+.2f}", abs(off) <= LARGEST_SPEED_ERROR),
             marked(pair(m["median"]), max(m["median"]) <= LARGEST_MEDIAN),
@@ -192,7 +192,7 @@ def ladder(run):
             break
     header = ("m/s", "result", "speed error, %", "estimate − CoP, median mm", "p95 mm", "limit of p95",
               "largest torque, %", "cycles at a limit", "step m, s")  # fmt: skip
-    return [*table(header, rows), "", f"Highest speed that holds {STEADY:g} s: {highest:g} m/s."]
+    return [*table(header, rows), "", f"Highest speed that is kept for {STEADY:g} s: {highest:g} m/s."]
 
 
 def directions(run):
