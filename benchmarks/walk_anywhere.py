@@ -51,7 +51,7 @@ def script(segments, scale=(1.0, 1.0, 1.0), change=CHANGE):
         points += [(t, velocity), (t + hold, velocity)]
         t += hold + change
     times, velocities = zip(*points)
-    return VelocityProfile(times, np.multiply(velocities, scale), "linear"), t
+    return VelocityProfile(times, np.multiply(velocities, scale), "linear"), t - change
 
 
 def jumps(seed):
