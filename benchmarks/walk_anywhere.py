@@ -301,7 +301,7 @@ def ladder_figure(lines):
         above, below = drawing.subplots(2, 1, sharex=True)
         for k, (axis, colour) in enumerate((("forward", plot.ESTIMATED), ("sideways", plot.MEASURED))):
             above.plot(speed, p95[:, k], "o-", color=colour, ms=4, label=axis)
-        above.plot(LADDER, LADDER.values(), "_", color=plot.FAINT, ms=16, mew=2, label="asked for")
+        above.plot(list(LADDER), list(LADDER.values()), "_", color=plot.FAINT, ms=16, mew=2, label="asked for")
         above.set(ylabel="estimate − CoP,\n95th percentile [mm]", ylim=(0, None))
         above.legend(loc="upper left")
         below.plot(speed, torque, "o-", color=plot.DESIRED, ms=4)
