@@ -13,7 +13,7 @@ DEMO_OUT ?= out/demo
 SANITIZE ?= address,undefined
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: help demo test pytest ctest sanitize bench instructions native peers wheel wheel-check sdist stubs format lint check-all clean
+.PHONY: help demo test pytest ctest sanitize bench ladder instructions native peers wheel wheel-check sdist stubs format lint check-all clean
 
 help:
 	@echo 'make demo         walk the paper'\''s experiment; figures, trace and summary go to $(DEMO_OUT)'
@@ -21,6 +21,7 @@ help:
 	@echo 'make pytest       only the Python tests;  make ctest  only the C++ tests'
 	@echo 'make sanitize     the C++ tests under $(SANITIZE)'
 	@echo 'make bench        how fast it is here: every figure of docs/benchmarks.md; make peers  beside TSID and placo'
+	@echo 'make ladder       walks faster and faster until it falls (docs/walk_anywhere.md)'
 	@echo 'make instructions instructions of a cycle against the record (needs valgrind);  make native  against -march=native'
 	@echo 'make wheel        dist/*.whl;  make wheel-check  install it into an empty environment and walk;  make sdist'
 	@echo 'make format       clang-format, ruff, gersemi, nbstripout;  make lint  the same as a check, and mypy'
@@ -155,6 +156,9 @@ UPDATE ?=
 bench: $(B)/installed.stamp
 	@mkdir -p $(BENCH_OUT)
 	$(VENV)/bin/zmpwalk bench --json $(BENCH_OUT)/bench.json
+
+ladder: $(B)/installed.stamp
+	$(PY) benchmarks/walk_anywhere.py --only ladder
 
 peers: $(B)/installed.stamp
 	$(PY) benchmarks/peers/run.py

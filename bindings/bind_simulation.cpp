@@ -29,21 +29,55 @@ bool PythonProgress::operator()(double t) {
 
 namespace {
 
-py::tuple run(WalkingController& controller, double duration, const py::object& on_progress) {
+/// Asks a Python function for the velocity to walk with. Its StopIteration ends the walk in good order.
+class PythonCommand {
+ public:
+  PythonCommand(WalkingController& controller, py::object f) : controller_(controller), f_(std::move(f)) {}
+  bool operator()(const CycleOutput& out) {
+    py::gil_scoped_acquire locked;
+    try {
+      const py::object v = f_(out.t, py::cast(out, py::return_value_policy::copy));
+      if (!v.is_none()) controller_.command(v.cast<Vec3>());
+    } catch (const py::error_already_set& error) {
+      if (!error.matches(PyExc_StopIteration)) error_ = std::current_exception();
+      return false;
+    } catch (...) {
+      error_ = std::current_exception();
+      return false;
+    }
+    return true;
+  }
+  void rethrow() const {
+    if (error_) std::rethrow_exception(error_);
+  }
+
+ private:
+  WalkingController& controller_;
+  py::object f_;
+  std::exception_ptr error_;
+};
+
+py::tuple run(WalkingController& controller, double duration, const py::object& on_progress, const py::object& command,
+              double command_interval) {
   require_positive("duration", duration);
   Recorder recorder(controller, duration);
   Simulation simulation(controller);
   PythonProgress progress(on_progress, duration);
+  PythonCommand steer(controller, command);
+  std::function<bool(const CycleOutput&)> after_cycle;
+  if (!command.is_none()) after_cycle = std::ref(steer);
   RunResult result;
   {
     py::gil_scoped_release unlocked;
-    result = simulation.run(duration, recorder, std::ref(progress), 0.05);
+    result = simulation.run(duration, recorder, std::ref(progress), 0.05, after_cycle, command_interval);
   }
   progress.rethrow();
+  steer.rethrow();
   py::dict info;
   info["fell"] = result.fell != Fall::kNone;
   info["fall_time"] = result.fall_time;
   info["fall_cause"] = to_string(result.fell);
+  info["stopped"] = result.stopped;
   info["wall_time"] = result.wall_time;
   std::vector<Column> times;
   times.push_back({"cycle_us", 1, std::move(result.cycle_us)});
@@ -68,11 +102,14 @@ void bind_simulation(py::module_& m) {
           "Columns by name, (T,) or (T, n): a copy.")
       .def("__len__", &Recorder::rows);
 
-  m.def("simulate", &run, "controller"_a, "duration"_a, "on_progress"_a = py::none(),
+  m.def("simulate", &run, "controller"_a, "duration"_a, "on_progress"_a = py::none(), "command"_a = py::none(),
+        "command_interval"_a = 0.02,
         "Closed loop in C++ from the start pose, the interpreter's lock released.\n\n"
         "Args:\n    controller: WalkingController.\n    duration: [s].\n    on_progress: called as f(t, duration) "
-        "about 20 times a second; may raise.\n\n"
-        "Returns:\n    (columns, info).\n\nRaises:\n    InputError; whatever on_progress raises; KeyboardInterrupt.");
+        "about 20 times a second; may raise.\n    command: called as f(t, out) after the first cycle and then every "
+        "`command_interval` [s]; returns\n        (vx, vy, wz) or None, which leaves the command as it is; "
+        "StopIteration ends the run.\n\n"
+        "Returns:\n    (columns, info).\n\nRaises:\n    InputError; whatever a callback raises; KeyboardInterrupt.");
   m.def(
       "measured_zmp",
       [](const py::object& model, const py::object& data, const RobotDescription& description) {

@@ -158,7 +158,8 @@ Simulation::Simulation(WalkingController& controller)
 Simulation::~Simulation() = default;
 
 RunResult Simulation::run(double duration, Recorder& recorder, const std::function<bool(double)>& progress,
-                          double progress_interval) {
+                          double progress_interval, const std::function<bool(const CycleOutput&)>& after_cycle,
+                          double cycle_interval) {
   require_positive("duration", duration);
   const Robot& robot = controller_.robot();
   const mjModel* m = robot.model();
@@ -170,6 +171,8 @@ RunResult Simulation::run(double duration, Recorder& recorder, const std::functi
   result.cycle_us.reserve(
       static_cast<std::size_t>(std::min(duration, kReservedTime) / controller_.settings().control_dt) + 2);
   double airborne = 0.0;
+  const long every = std::max(1L, std::lround(cycle_interval / controller_.settings().control_dt));
+  long cycle = 0;
   const auto start = std::chrono::steady_clock::now();
   double reported = 0.0;
   while (d->time + 0.5 * dt < t_end) {
@@ -182,6 +185,7 @@ RunResult Simulation::run(double duration, Recorder& recorder, const std::functi
     const auto before = std::chrono::steady_clock::now();
     const CycleOutput& out = controller_.update(d, in_two ? Terms::kInData : Terms::kCompute);
     if (out.fresh) result.cycle_us.push_back(1e6 * seconds_since(before));
+    if (after_cycle && out.fresh && cycle++ % every == 0 && !after_cycle(out)) result.stopped = true;
     if (in_two)
       mj_step2(m, d);
     else
@@ -193,7 +197,7 @@ RunResult Simulation::run(double duration, Recorder& recorder, const std::functi
       airborne = touches ? 0.0 : airborne + controller_.settings().control_dt;
     }
     result.fell = out.fell != Fall::kNone ? out.fell : airborne > kLongestFlight ? Fall::kNoContact : Fall::kNone;
-    if (result.fell != Fall::kNone) break;
+    if (result.fell != Fall::kNone || result.stopped) break;
     if (!progress) continue;
     const double wall = seconds_since(start);
     if (wall - reported < progress_interval) continue;

@@ -372,7 +372,7 @@ const CycleOutput& WalkingController::update(mjData* data, Terms terms) {
 
   const GaitInput in =
       gait_input(t, measured ? Vec2(dyn.com.head<2>()) : com_des_, measured ? Vec2(dyn.dcom.head<2>()) : dcom_des_);
-  if (mailbox_.take(out_.command)) gait_.command(out_.command);
+  if (Vec3 live; mailbox_.take(live) && live != out_.command) gait_.command(out_.command = live);
   const GaitOutput& gait = gait_.update(in);
   move_height(t, gait.stretch);
   R_S_ = rotation_z(gait.yaw).topLeftCorner<2, 2>();

@@ -2242,7 +2242,11 @@ def pd_acceleration(
     """
 
 def simulate(
-    controller: WalkingController, duration: typing.SupportsFloat | typing.SupportsIndex, on_progress: typing.Any = None
+    controller: WalkingController,
+    duration: typing.SupportsFloat | typing.SupportsIndex,
+    on_progress: typing.Any = None,
+    command: typing.Any = None,
+    command_interval: typing.SupportsFloat | typing.SupportsIndex = 0.02,
 ) -> tuple:
     """
     Closed loop in C++ from the start pose, the interpreter's lock released.
@@ -2251,12 +2255,14 @@ def simulate(
         controller: WalkingController.
         duration: [s].
         on_progress: called as f(t, duration) about 20 times a second; may raise.
+        command: called as f(t, out) after the first cycle and then every `command_interval` [s]; returns
+            (vx, vy, wz) or None, which leaves the command as it is; StopIteration ends the run.
 
     Returns:
         (columns, info).
 
     Raises:
-        InputError; whatever on_progress raises; KeyboardInterrupt.
+        InputError; whatever a callback raises; KeyboardInterrupt.
     """
 
 def solve_reference(

@@ -141,16 +141,24 @@ def feet_pose(foot_left: np.ndarray, foot_right: np.ndarray) -> np.ndarray:
     return np.concatenate([(left[..., :2] + right[..., :2]) / 2, yaw[..., None]], axis=-1)
 
 
-def planned_path(trace: Any) -> np.ndarray:
+def planned_path(trace: Any, as_given: bool = False) -> np.ndarray:
     """Where the planned velocity leads from where the feet stood first (T, 3): x, y [m], yaw (unwrapped) [rad], W.
 
-    Each cycle turns and goes with its own v_plan: exact where that is held.
+    Each cycle turns and goes with its own velocity: exact where that is held.
+
+    Args:
+        as_given: the velocities of the profile and of live commands instead of v_plan, which changes no faster than
+            the robot can.
     """
     start = feet_pose(trace.foot_left[0], trace.foot_right[0])
-    turn = trace.v_plan[:-1, 2] * np.diff(trace.t)
+    v = trace.v_plan
+    if as_given:
+        profile = np.array([trace.profile.velocity(t) for t in trace.t - trace.t[0]])
+        v = np.where(np.isnan(trace.command), profile, trace.command)
+    turn = v[:-1, 2] * np.diff(trace.t)
     yaw = start[2] + np.concatenate([[0.0], np.cumsum(turn)])
     middle = yaw[:-1] + turn / 2  # the chord of an arc of `turn`
-    step = trace.v_plan[:-1, :2] * (np.diff(trace.t) * np.sinc(turn / 2 / np.pi))[:, None]
+    step = v[:-1, :2] * (np.diff(trace.t) * np.sinc(turn / 2 / np.pi))[:, None]
     c, s = np.cos(middle), np.sin(middle)
     world = np.stack([c * step[:, 0] - s * step[:, 1], s * step[:, 0] + c * step[:, 1]], axis=-1)
     return np.column_stack([start[:2] + np.vstack([np.zeros(2), np.cumsum(world, axis=0)]), yaw])

@@ -174,7 +174,7 @@ class VelocityProfile(_core.VelocityProfile):
                 raise DimensionError(f"{pair!r} is not a pair (t, v)")
         return cls(
             [float(t) for t, _ in pairs],
-            np.array([_three(v) for _, v in pairs]).reshape(-1, 3),
+            np.array([three(v) for _, v in pairs]).reshape(-1, 3),
             interpolation,
         )
 
@@ -227,7 +227,7 @@ class VelocityProfile(_core.VelocityProfile):
         return f"VelocityProfile({{{', '.join(shown)}}} s: m/s, {self.interpolation})"
 
 
-def _three(v: Velocity) -> np.ndarray:
+def three(v: Velocity) -> np.ndarray:
     """vx or (vx, vy, wz) as (3,)."""
     try:
         array = np.asarray(v, float)

@@ -8,7 +8,7 @@ import os
 import platform
 import threading
 from concurrent.futures import FIRST_EXCEPTION, ThreadPoolExecutor, wait
-from typing import Any, Callable, Iterable, Mapping
+from typing import Any, Callable, Iterable, Mapping, Sequence, Union
 
 import mujoco
 import numpy as np
@@ -17,12 +17,14 @@ from . import _core
 from .description import Robot, RobotDescription, describe, description_to_dict, load_robot
 from .errors import InputError
 from .motion import JointMotion
-from .profiles import VelocityProfile
+from .profiles import VelocityProfile, three
 from .trace import Trace, model_bytes, plain
 
 __all__ = ["Recorder", "WalkingController", "simulate", "simulate_batch"]
 
 Progress = Callable[[float, float], None]
+Steer = Callable[[float, Any], Union[float, Sequence[float], None]]
+COMMAND_INTERVAL = 0.02  # between calls of `command` [s]
 _NO_MOTION = _core.JointMotion([0.0], [], np.zeros((1, 0)))
 
 
@@ -147,6 +149,7 @@ def simulate(
     on_progress: Progress | None = None,
     seed: int = 0,
     motion: _core.JointMotion | None = None,
+    command: Steer | None = None,
 ) -> Trace:
     """Walk in MuJoCo, wholly in C++, and return the record.
 
@@ -161,22 +164,25 @@ def simulate(
         on_progress: called about ten times a second with (t, duration) [s]; what it raises stops the run and passes on.
         seed: kept in the trace; nothing is random yet.
         motion: what arms, waist and trunk do meanwhile (`WalkingController.move`); None lets them stand.
+        command: called as f(t [s], out) with the `CycleOutput` of the first cycle and then every 0.02 s of simulated
+            time; what it returns is commanded from the next cycle on (`WalkingController.command`): vx or (vx, vy, wz)
+            in the heading frame [m/s, m/s, rad/s], None leaves the command as it is, and until the first one the
+            profile leads. StopIteration ends the walk; what else it raises stops the run and passes on.
 
     Returns:
         The trace, one row per control cycle.
 
     Raises:
-        InputError: a bad duration, setting or speed.  ModelError: a robot that cannot be used.
+        InputError: a bad duration, setting, speed or command.  ModelError: a robot that cannot be used.
         KeyboardInterrupt: Ctrl-C, within 0.1 s.
 
     Usage: `trace = zmpwalk.simulate("mahru", profile=VelocityProfile.constant(0.2), duration=10)`
+        `zmpwalk.simulate(profile=VelocityProfile.constant(0.0), command=lambda t, out: (0.2, 0.0, 0.3 - out.heading))`
     """
     model, description = load_robot(robot)
     controller = WalkingController(model, description, settings, profile)
     controller.move(motion)
-    return run(
-        controller, duration, on_progress, seed, robot if isinstance(robot, str) and robot.isidentifier() else None
-    )
+    return run(controller, duration, on_progress, seed, name_of(robot), command)
 
 
 def simulate_batch(
@@ -189,7 +195,7 @@ def simulate_batch(
     The interpreter's lock is free while walks run. A trace has the same bits whatever the number of threads.
 
     Args:
-        runs: one mapping a walk, with the arguments of `simulate`: robot, profile, duration, settings, seed, motion.
+        runs: one mapping a walk, with the arguments of `simulate` but on_progress.
         threads: how many walk at a time; None takes the processors this process may use.
         on_progress: called now and then with (t, duration) [s], simulated time of all walks together.
 
@@ -206,7 +212,7 @@ def simulate_batch(
         threads = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
     if isinstance(threads, bool) or not isinstance(threads, (int, np.integer)) or threads < 1:
         raise InputError(f"threads is {threads!r}; it must be an integer of at least 1")
-    known = ("robot", "profile", "duration", "settings", "seed", "motion")
+    known = ("robot", "profile", "duration", "settings", "seed", "motion", "command")
     robots: dict[Any, tuple[mujoco.MjModel, RobotDescription]] = {}
     jobs = []
     runs = list(runs)  # keeps models alive that are told apart by their id
@@ -220,10 +226,10 @@ def simulate_batch(
             robots[key] = load_robot(robot)
         controller = WalkingController(*robots[key], given.get("settings"), given.get("profile"))
         controller.move(given.get("motion"))
-        label = robot if isinstance(robot, str) and robot.isidentifier() else None
-        jobs.append((controller, check_duration(given.get("duration", 8.0)), _check_seed(given.get("seed", 0)), label))
+        duration, seed = check_duration(given.get("duration", 8.0)), _check_seed(given.get("seed", 0))
+        jobs.append((controller, duration, seed, name_of(robot), given.get("command")))
 
-    done, total = [0.0] * len(jobs), sum(duration for _, duration, _, _ in jobs)
+    done, total = [0.0] * len(jobs), sum(job[1] for job in jobs)
     stop = threading.Event()
 
     def walk(i: int) -> Trace:
@@ -232,9 +238,9 @@ def simulate_batch(
             if stop.is_set():
                 raise _Stopped
 
-        controller, duration, seed, label = jobs[i]
+        controller, duration, seed, label, command = jobs[i]
         at(0.0, duration)
-        trace = run(controller, duration, at, seed, label)
+        trace = run(controller, duration, at, seed, label, command)
         done[i] = duration
         return trace
 
@@ -264,6 +270,8 @@ def run(
     on_progress: Progress | None = None,
     seed: int = 0,
     robot: str | None = None,
+    command: Steer | None = None,
+    command_interval: float = COMMAND_INTERVAL,
 ) -> Trace:
     """`simulate` with a controller that exists already; `robot` is the name that the trace carries.
 
@@ -272,9 +280,22 @@ def run(
     duration = check_duration(duration)
     seed = _check_seed(seed)
     # Always with a callback: running Python now and then is what lets Ctrl-C through.
-    columns, info = _core.simulate(controller, duration, on_progress or (lambda t, duration: None))
+    progress = on_progress or (lambda t, duration: None)
+    steer = command and (lambda t, out: _velocity(command(t, out)))
+    columns, info = _core.simulate(controller, duration, progress, steer, command_interval)
+    if info["stopped"]:
+        duration = len(columns["t"]) * float(controller.settings.control_dt)
     model, meta = _describe_run(controller, robot, info, source="simulate", seed=seed, requested_duration=duration)
     return Trace(columns, meta, model, copy=False)
+
+
+def _velocity(v: float | Sequence[float] | None) -> np.ndarray | None:
+    return None if v is None else three(v)
+
+
+def name_of(robot: Robot) -> str | None:
+    """What a trace calls `robot`: the name it was asked for by, None for a path or a model."""
+    return robot if isinstance(robot, str) and robot.isidentifier() else None
 
 
 def _check_seed(seed: int) -> int:
@@ -304,16 +325,22 @@ def rerun(trace: Trace, on_progress: Progress | None = None) -> Trace:
     controller = WalkingController(model, trace.description, trace.settings, trace.profile)
     controller.move(trace.motion)
     robot = trace.meta.get("robot")
+    commands = trace.get("command", np.full((len(trace.t), 3), math.nan))
+    changed = set(
+        np.flatnonzero(~((commands[1:] == commands[:-1]) | np.isnan(commands[1:])).all(axis=1)).tolist()
+    )  # rows before
     if trace.meta.get("source") != "recorder":
-        return run(controller, trace.meta["requested_duration"], on_progress, trace.meta.get("seed", 0), robot)
+        given = {float(trace.t[k]): commands[k + 1] for k in changed}
+        duration, seed = trace.meta["requested_duration"], trace.meta.get("seed", 0)
+        command = (lambda t, out: given.get(t)) if given else None
+        return run(controller, duration, on_progress, seed, robot, command, command_interval=0.0)
     data = mujoco.MjData(model)
     set_state(trace, model, data, 0)
     data.time = trace.t[0]
     controller.reset(data)
     recorder = Recorder(controller, robot)
-    commands = trace.get("command", np.full((len(trace.t), 3), math.nan))
     for k in range(len(trace.t)):
-        if k and not np.array_equal(commands[k], commands[k - 1], equal_nan=True):
+        if k - 1 in changed:
             controller.command(*commands[k])
         out = controller.update(data)
         for _ in range(max(1, round(trace.control_dt / model.opt.timestep))):

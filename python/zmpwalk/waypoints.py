@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from typing import Any, Iterable, Sequence, Tuple
 
-import mujoco
 import numpy as np
 
 from ._core import WalkSettings
@@ -13,12 +12,11 @@ from .analysis import feet_pose
 from .description import Robot, load_robot
 from .errors import DimensionError, InputError
 from .profiles import VelocityProfile
-from .simulation import Progress, Recorder, WalkingController, check_duration
+from .simulation import Progress, WalkingController, check_duration, name_of, run
 from .trace import Trace, plain
 
 __all__ = ["Waypoints", "walk_to"]
 
-COMMAND_PERIOD = 0.02  # of `walk_to` [s]
 GRAVITY = 9.81  # only scales defaults [m/s^2]
 Command = Tuple[float, float, float]
 
@@ -216,7 +214,7 @@ def walk_to(
         robot: what `load_robot` takes.
         settings: None takes `WalkSettings()`.
         timeout: simulated time after which it ends all the same [s].
-        on_progress: called ten times a simulated second with (t, timeout) [s]; what it raises stops the walk and passes
+        on_progress: called about ten times a second with (t, timeout) [s]; what it raises stops the walk and passes
             on.
         **limits: speed, tolerances and so on, as for `Waypoints`.
 
@@ -232,24 +230,17 @@ def walk_to(
     follower, timeout = Waypoints(points, **limits), check_duration(timeout)
     model, description = load_robot(robot)
     controller = WalkingController(model, description, settings, VelocityProfile.constant(0.0))
-    data = mujoco.MjData(model)
-    description.place(model, data)
-    controller.reset(data)
-    recorder = Recorder(controller, robot if isinstance(robot, str) and robot.isidentifier() else None)
-    every = max(1, round(COMMAND_PERIOD / model.opt.timestep))
-    rest = 0.0
-    for tick in range(round(timeout / model.opt.timestep)):
-        out = controller.update(data)
-        if tick % every == 0:
-            controller.command(*follower(data.time, out))
-        mujoco.mj_step(model, data)
-        recorder.add(out, data)
-        rest = rest + model.opt.timestep if follower.done and out.at_rest else 0.0
-        if out.fell or rest > follower.settle:
-            break
-        if on_progress and tick % (5 * every) == 0:
-            on_progress(data.time, timeout)
-    trace = recorder.trace()
+    arrived = math.inf
+
+    def command(t: float, out: Any) -> Command:
+        nonlocal arrived
+        velocity = follower(t, out)
+        arrived = min(arrived, t) if follower.done and out.at_rest else math.inf
+        if t > arrived + follower.settle:
+            raise StopIteration
+        return velocity
+
+    trace = run(controller, timeout, on_progress, robot=name_of(robot), command=command)
     trace.meta["waypoints"] = plain({"points": follower.points, "reached": follower.index})
     return trace
 

@@ -52,7 +52,7 @@ class Recorder {
 struct RunResult {
   Fall fell = Fall::kNone;
   double fall_time = kNaN;       ///< [s]
-  bool stopped = false;          ///< the progress callback asked for it
+  bool stopped = false;          ///< a callback asked for it
   double wall_time = 0.0;        ///< [s]
   std::vector<double> cycle_us;  ///< time of each control cycle [us]
 };
@@ -69,9 +69,11 @@ class Simulation {
   ///
   /// @param recorder  gets one row per control cycle
   /// @param progress  called about every `progress_interval` [s of wall time] with the simulation time; returns false to stop
+  /// @param after_cycle  called after the first cycle's `update` and then every `cycle_interval` [s], before the step; false to stop
   /// @throws InputError duration is not finite and > 0
   RunResult run(double duration, Recorder& recorder, const std::function<bool(double)>& progress = {},
-                double progress_interval = 0.1);
+                double progress_interval = 0.1, const std::function<bool(const CycleOutput&)>& after_cycle = {},
+                double cycle_interval = 0.0);
 
   mjData* data() { return data_.get(); }
 
