@@ -28,9 +28,9 @@ DIRECTIONS = {
 }  # fmt: skip
 # Velocity (vx, vy, wz) and how long it is held [s], reached within CHANGE [s]: 60 s in all.
 SCRIPT = (
-    ((0, 0, 0), 1), ((0.3, 0, 0), 5), ((0.3, 0, 0.5), 4), ((0, 0, 0), 2), ((-0.3, 0, 0), 4), ((0, 0, 0), 2),
-    ((0, 0.15, 0), 4), ((0, -0.15, 0), 4), ((0, 0, 0.5), 3), ((0, 0, -0.5), 3), ((0, 0, 0), 2),
-    ((0.2, 0.1, -0.3), 3), ((0, 0, 0), 5),
+    ((0, 0, 0), 1), ((0.3, 0, 0), 5), ((0.3, 0, 0.5), 4), ((0, 0, 0), 2), ((0, 0.15, 0), 4), ((0, 0, -0.5), 3),
+    ((0, 0, 0), 2), ((-0.3, 0, 0), 4), ((0, 0, 0.5), 3), ((0, -0.15, 0), 4), ((0, 0, 0), 2), ((0.2, 0.1, -0.3), 3),
+    ((0, 0, 0), 5),
 )  # fmt: skip
 CHANGE = 1.5
 LARGEST_MISS = 2.0, 2.0  # at the script's end: [% of the path's length], [degrees]
@@ -147,7 +147,7 @@ def marked(text, holds):
 
 
 def pair(values, digits=3):
-    return " / ".join(f"{value:.{digits}g}" for value in values)
+    return " / ".join("–" if math.isnan(value) else f"{value:.{digits}g}" for value in values)
 
 
 def table(header, rows):
@@ -293,7 +293,7 @@ def other_robots(run, robots):
 def ladder_figure(lines):
     """Estimate error and torque over the speed, read from the ladder's table."""
     rows = [[cell.strip(" *") for cell in line.split("|")[1:-1]] for line in lines]
-    rows = [row for row in rows if len(row) > 1 and row[1] == "walks"]
+    rows = [row for row in rows if len(row) > 1 and row[1] == "walks" and abs(float(row[2])) <= LARGEST_SPEED_ERROR]
     speed, torque = ([float(row[k]) for row in rows] for k in (0, 6))
     p95 = np.array([[float(x) for x in row[4].split("/")] for row in rows])
     with matplotlib.rc_context(plot.STYLE):
