@@ -15,8 +15,8 @@ void bind_velocity_tracker(py::module_& m) {
            "Args:\n    law: 'smooth' or 'bang_bang' (the paper's).\n    gain: [1/s].\n    time: [s].\n    deadband: "
            "[m].\n    reach: largest |gain I| [m/s].\n\nRaises:\n    InputError.")
       .def("reset", &VelocityTracker::reset)
-      .def("acceleration", &VelocityTracker::acceleration, "v_plan"_a, "v"_a,
-           "Smooth law: (v_plan - gain I - v) / time [m/s^2].")
+      .def("acceleration", &VelocityTracker::acceleration, "v_plan"_a, "v"_a, "ahead"_a = 0.0,
+           "Smooth law: (v_plan - gain (I - ahead) - v) / time [m/s^2]; ahead: what I is meant to be now [m].")
       .def("advance", &VelocityTracker::advance, "v_des"_a, "v_plan"_a, "dt"_a, "Adds one cycle to the integral.")
       .def_property_readonly("integral", &VelocityTracker::integral, "integral of v_des - v_plan [m]")
       .def_property_readonly(

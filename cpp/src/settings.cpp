@@ -150,6 +150,8 @@ WalkSettings resolve(const WalkSettings& settings, const RobotScale& robot, doub
   fill(s.foothold_reach, 0.25 * robot.com_height);
   fill(s.com_lead, 0.0134 * robot.com_height);
   fill(s.foothold_time, 0.18 * Tc);
+  fill(s.capture_reach, 0.07 * robot.com_height);
+  fill(s.capture_speed, 0.2 * speed);
   if (s.footsteps == Footsteps::kPaper) s.step_lengths = paper_step_lengths();
   if (s.footsteps == Footsteps::kPrinted) s.step_lengths = printed_step_lengths();
   if (s.footsteps == Footsteps::kTied) s.step_lengths.clear();

@@ -138,7 +138,7 @@ WalkingController::WalkingController(const mjModel* model, const RobotDescriptio
 
 GaitInput WalkingController::gait_input(double t, const Vec2& com, const Vec2& dcom) const {
   const auto& [left, right] = robot_.dynamics().sole;
-  return {t, com, dcom, {left.p_WF, right.p_WF}, {left.R_WF, right.R_WF}, tracker_.catch_up(), ground_};
+  return {t, com, dcom, {left.p_WF, right.p_WF}, {left.R_WF, right.R_WF}, tracker_.catch_up(gait_.output().orbit_ahead), ground_};
 }
 
 WalkPlan WalkingController::plan(double duration, double dt) const {

@@ -55,7 +55,7 @@ struct WalkSettings {
   Footsteps footsteps = Footsteps::kTied;
   std::vector<double> step_lengths;
   double step_width = kNaN, foot_clearance = kNaN, step_height = kNaN, foothold_reach = kNaN, com_lead = kNaN,
-         foothold_time = kNaN, foothold_give = 0.3, foothold_freeze = 0.7;
+         foothold_time = kNaN, foothold_freeze = 0.7, capture_reach = kNaN, capture_speed = kNaN;
   bool swing_feed_forward = true;
   double swing_kp = kNaN, swing_kd = kNaN;
   // The other tasks, double support
@@ -158,11 +158,12 @@ void visit_settings(Settings& s, Visitor&& v) {
     "NaN: 0.0134 of the COM height");
   v("foothold_time", s.foothold_time, "s",
     "tied footholds: time constant of the low-pass on the target; NaN: 0.18 T_c");
-  v("foothold_give", s.foothold_give, "",
-    "tied footholds: an excess speed moves the DCM; up to this share of the bounds the ZMP of the next stance takes it up, "
-    "what is more moves the foothold");
   v("foothold_freeze", s.foothold_freeze, "",
     "tied footholds: share of the single support after which the target stands");
+  v("capture_reach", s.capture_reach, "m",
+    "tied footholds: how far the DCM may be from where the plan has it as the next foot takes over: beyond, the COM's "
+    "speed yields; NaN: 0.07 of the COM height");
+  v("capture_speed", s.capture_speed, "m/s", "by how much it yields at most; NaN: 0.2 of sqrt(g COM height)");
   v("swing_feed_forward", s.swing_feed_forward, "", "add the spline's acceleration to the swing foot's task");
   v("swing_kp", s.swing_kp, "1/s^2", "swing foot, position and orientation");
   v("swing_kd", s.swing_kd, "1/s", "swing foot, position and orientation");

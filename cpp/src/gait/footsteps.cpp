@@ -85,15 +85,16 @@ Foothold FootstepPlanner::begin_step(int n, Side swing, const Foothold& stance, 
   return target_;
 }
 
-double FootstepPlanner::stretch(const Foothold& stance, double t_mid, double T_ds, double sway) const {
+double FootstepPlanner::stretch(const Foothold& landed, Side side, const Foothold& lifting, double t_mid, double T_ds,
+                                double sway) const {
   const Foothold middle = moved(path_, plan_->travel(t_, t_mid));
-  const Vec2 over = target_.p - stance.p, v_plan = plan_->velocity(t_mid).head<2>();
+  const Vec2 over = landed.p - lifting.p, v_plan = plan_->velocity(t_mid).head<2>();
   const Vec2 moves = 0.5 * T_ds * (v_plan.x() * ahead_of(middle.yaw) + v_plan.y() * left_of(middle.yaw) +
                                    sway * over.normalized());
-  const auto from_hip = [&](const Foothold& foot, Side side, const Vec2& move) {
-    return (foot.p - move - moved(middle, {0.0, 0.5 * side_sign(side) * settings_.step_width, 0.0}).p).norm();
+  const auto from_hip = [&](const Foothold& foot, Side of, const Vec2& move) {
+    return (foot.p - move - moved(middle, {0.0, 0.5 * side_sign(of) * settings_.step_width, 0.0}).p).norm();
   };
-  return std::max(from_hip(target_, swing_, -moves), from_hip(stance, other(swing_), moves));
+  return std::max(from_hip(landed, side, -moves), from_hip(lifting, other(side), moves));
 }
 
 bool FootstepPlanner::close(Side swing, const Foothold& stance, double xi) {

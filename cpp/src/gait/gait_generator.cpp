@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <algorithm>
 #include <cmath>
 
 #include "zmpwalk/math/rotation.hpp"
@@ -24,8 +23,10 @@ Vec2 reference_zmp(const GaitOutput& gait, const LinearInvertedPendulum& pendulu
                    const Vec2& com, const Vec2& dcom) {
   if (gait.at_rest) return gait.zmp_rest;
   const Vec2 ahead = ahead_of(gait.heading);
-  const double a = tracker.acceleration(gait.v_plan.x(), dcom.dot(ahead));
-  const double r = pendulum.reference_for((com - gait.origin).dot(ahead), a);
+  const double x = (com - gait.origin).dot(ahead), from_middle = x - gait.orbit_middle;
+  const double a = gait.orbit.acceleration(from_middle) +
+                   tracker.acceleration(gait.orbit.velocity(from_middle) + gait.dv_capture, dcom.dot(ahead), gait.orbit_ahead);
+  const double r = pendulum.reference_for(x, a);
   // What is beyond the bounds must not lean sideways where the sole points elsewhere than the walk.
   const double inside = std::clamp(r, gait.room.lower.x(), gait.room.upper.x());
   return gait.origin + inside * ahead + (r - inside) * ahead_of(gait.yaw) + gait.zmp_lateral * left_of(gait.heading);
@@ -184,29 +185,69 @@ const GaitOutput& GaitGenerator::update_steps(const GaitInput& in) {
     const Vec2 middle = 0.5 * (in.p_sole[kLeft] + in.p_sole[kRight]).head<2>();
     const Vec2 xi = in.com + pendulum_.Tc() * in.dcom;
     out_.zmp_rest = xi + settings_.stand_gain * (xi - middle);
+    out_.orbit_ahead = 0.0;
   } else {
+    move_ahead(in);
     move_sideways(in);
+    out_.stretch = stretch(in);
   }
   return out_;
 }
 
-ZmpBounds GaitGenerator::room(const GaitInput& in) const {
+ZmpBounds GaitGenerator::sole_room(const Vec3& velocity) const {
   ZmpBounds out = bounds_[out_.support];
-  const double share = std::pow(cadence_.pace(out_.v_plan), settings_.sole_exponent);
+  const double share = std::pow(cadence_.pace(velocity), settings_.sole_exponent);
   out.lower.x() *= share;
   out.upper.x() *= share;
+  return out;
+}
+
+void GaitGenerator::move_ahead(const GaitInput& in) {
+  const double period = schedule_.times().period(), half = 0.5 * period;
+  const bool before_switch = out_.phase.phase == Phase::kDoubleSupport && lateral_.awaits_switch();
+  const double since_middle =
+      before_switch ? half - 0.5 * out_.phase.duration + out_.phase.time : -out_.phase.to_mid_single;
+  out_.orbit = orbit(out_.v_plan, period);
+  out_.orbit_middle = settings_.com_lead;
+  out_.orbit_ahead = out_.orbit.ahead(std::clamp(since_middle, -half, half));
+  if (lateral_.awaits_switch())
+    out_.dv_capture = 0.0;
+  else
+    capture(in);
+}
+
+ForwardOrbit GaitGenerator::orbit(const Vec3& velocity, double period) const {
+  const ZmpBounds sole = sole_room(velocity);
+  const double middle = settings_.com_lead;
+  return {pendulum_, velocity.x(), period, std::min(sole.upper.x() - middle, middle - sole.lower.x())};
+}
+
+ZmpBounds GaitGenerator::room(const GaitInput& in) const {
+  ZmpBounds out = sole_room(out_.v_plan);
   if (!out_.standing[kLeft] || !out_.standing[kRight]) return out;
   const Side there = other(out_.support);
   return out.widened(bounds_[there], (in.p_sole[there].head<2>() - out_.origin).dot(left_of(out_.yaw)));
 }
 
-double GaitGenerator::ahead_of_plan(const GaitInput& in, double time) const {
-  const PendulumState then = roll_out(in, time);
-  const double x_plan = (in.com - out_.origin).dot(ahead_of(out_.heading)) + plan_.displacement(in.t, in.t + time).x();
-  // The next stance's ZMP takes up this much of an excess speed; what is more, the foot has to.
-  const double excess = pendulum_.Tc() * (then.v - plan_.velocity(in.t + time).x());
-  const double share = settings_.foothold_give;
-  return then.x - x_plan + excess - std::clamp(excess, share * out_.room.lower.x(), share * out_.room.upper.x());
+void GaitGenerator::capture(const GaitInput& in) {
+  const double time = out_.phase.to_mid_double, t_mid = in.t + time, slope = time + pendulum_.Tc();
+  const double length = plan_.displacement(t_mid, t_mid + period_).x();
+  const double v_s = orbit({length / period_, 0.0, 0.0}, period_).end_velocity();
+  xi_start_ = settings_.com_lead - 0.5 * length + pendulum_.Tc() * v_s;
+  xi_next_ = pendulum_.dcm(roll_out(in, time));
+  if (settings_.footsteps != Footsteps::kTied) return;
+  // One step of Newton's a cycle: a COM faster by dv is dv time further then, and its DCM dv (time + T_c).
+  const double planned = footsteps_.lead(out_.phase.step, t_mid, period_) + xi_start_, reach = settings_.capture_reach;
+  const double alone = xi_next_ - slope * out_.dv_capture;
+  const double dv = out_.dv_capture + (std::clamp(alone, planned - reach, planned + reach) - xi_next_) / slope;
+  out_.dv_capture = std::clamp(dv, -settings_.capture_speed, settings_.capture_speed);
+}
+
+double GaitGenerator::ahead_of_plan(const GaitInput& in) const {
+  const double t_mid = in.t + out_.phase.to_mid_double;
+  const double planned = (in.com - out_.origin).dot(ahead_of(out_.heading)) + plan_.displacement(in.t, t_mid).x() +
+                         0.5 * plan_.displacement(t_mid, t_mid + period_).x() - settings_.com_lead;
+  return xi_next_ - xi_start_ - planned;
 }
 
 PendulumState GaitGenerator::roll_out(const GaitInput& in, double time) const {
@@ -218,14 +259,25 @@ PendulumState GaitGenerator::roll_out(const GaitInput& in, double time) const {
   const PendulumState now{(in.com - out_.origin).dot(ahead), in.dcom.dot(ahead)};
   double xi = now.x + Tc * now.v, mirror = now.x - Tc * now.v;
   for (int k = 0; k < kPieces; ++k) {
-    const double x = 0.5 * (xi + mirror), v = (xi - mirror) / (2.0 * Tc);
-    const double v_plan = plan_.velocity(in.t + (k + 0.5) * dt).x();
-    const double r = std::clamp(pendulum_.reference_for(x, catch_up * (v_plan + in.catch_up - v)),
-                                out_.room.lower.x(), out_.room.upper.x());
+    const double x = 0.5 * (xi + mirror), v = (xi - mirror) / (2.0 * Tc), from_middle = x - out_.orbit_middle;
+    const double dv = plan_.velocity(in.t + (k + 0.5) * dt).x() - out_.v_plan.x() + in.catch_up + out_.dv_capture;
+    const double a = out_.orbit.acceleration(from_middle) + catch_up * (out_.orbit.velocity(from_middle) + dv - v);
+    const double r = std::clamp(pendulum_.reference_for(x, a), out_.room.lower.x(), out_.room.upper.x());
     xi = r + (xi - r) * grow;
     mirror = r + (mirror - r) / grow;
   }
   return {0.5 * (xi + mirror), (xi - mirror) / (2.0 * Tc)};
+}
+
+double GaitGenerator::stretch(const GaitInput& in) const {
+  const bool single = out_.phase.phase == Phase::kSingleSupport;
+  const Side landed = single ? out_.swing : other(out_.swing), lifting = other(landed);
+  const Foothold from = foothold_of(in.p_sole[lifting], in.R_sole[lifting]);
+  const Foothold to = single ? out_.foothold : foothold_of(in.p_sole[landed], in.R_sole[landed]);
+  const double to_middle = single ? out_.phase.to_mid_double : 0.5 * out_.phase.duration - out_.phase.time;
+  const double T_ds = single ? schedule_.times().T_ds : out_.phase.duration, Tc = pendulum_.Tc();
+  const double sway = 0.5 * (to.p - from.p).norm() / Tc * std::tanh(0.5 * schedule_.times().period() / Tc);
+  return footsteps_.stretch(to, landed, from, in.t + to_middle, T_ds, sway);
 }
 
 void GaitGenerator::move_sideways(const GaitInput& in) {
@@ -249,14 +301,11 @@ void GaitGenerator::move_sideways(const GaitInput& in) {
     if (lifted_) {
       footsteps_.begin_step(out_.phase.step, out_.swing, foot, t_mid, period_);
       closing_ = settings_.stand && plan_.at_rest(in.t, schedule_.touch_down() + schedule_.times().T_ds) &&
-                 footsteps_.close(out_.swing, foot, pendulum_.dcm(roll_out(in, time)));
+                 footsteps_.close(out_.swing, foot, xi_next_);
     }
     const double aside = lateral_.miss(pendulum_, xi, xi_end(footsteps_.planned(out_.swing, t_mid, period_).p), time);
-    out_.foothold = footsteps_.update(ahead_of_plan(in, time), aside, t_mid, period_,
+    out_.foothold = footsteps_.update(ahead_of_plan(in), aside, t_mid, period_,
                                       out_.phase.time / out_.phase.duration, dt);
-    const double half = 0.5 * (out_.foothold.p - foot.p).norm(), Tc = pendulum_.Tc();
-    const double sway = half / Tc * std::tanh(0.5 * schedule_.times().period() / Tc);  // of the orbit between two feet
-    out_.stretch = footsteps_.stretch(foot, t_mid, schedule_.times().T_ds, sway);
   }
   if (lateral_.awaits_switch()) {
     if (single) return;

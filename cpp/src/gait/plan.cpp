@@ -30,7 +30,7 @@ WalkPlan plan_walk(const WalkSettings& given, const VelocityProfile& profile, co
   bool swinging = false;
   for (std::size_t k = 0; k < count; ++k) {
     in.t = static_cast<double>(k) * dt;
-    in.catch_up = tracker.catch_up();
+    in.catch_up = tracker.catch_up(gait.output().orbit_ahead);
     const GaitOutput& now = gait.update_steps(in);
     const bool single = now.phase.phase == Phase::kSingleSupport;
     if (single && !swinging) plan.steps.push_back({now.swing, in.t, in.t + now.phase.duration, {}});

@@ -19,9 +19,13 @@ void VelocityTracker::reset() {
   drive_ = Drive::kNone;
 }
 
-double VelocityTracker::acceleration(double v_plan, double v) const {  return (v_plan + catch_up() - v) / time_; }
+double VelocityTracker::acceleration(double v_plan, double v, double ahead) const {
+  return (v_plan + catch_up(ahead) - v) / time_;
+}
 
-double VelocityTracker::catch_up() const { return std::clamp(-gain_ * integral_, -reach_, reach_); }
+double VelocityTracker::catch_up(double ahead) const {
+  return std::clamp(-gain_ * (integral_ - ahead), -reach_, reach_);
+}
 
 void VelocityTracker::advance(double v_des, double v_plan, double dt) {
   const double before = integral_;

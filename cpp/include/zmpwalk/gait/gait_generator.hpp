@@ -1,6 +1,7 @@
 #pragma once
 
 #include "zmpwalk/gait/footsteps.hpp"
+#include "zmpwalk/gait/forward_orbit.hpp"
 #include "zmpwalk/gait/lateral_motion.hpp"
 #include "zmpwalk/gait/pendulum.hpp"
 #include "zmpwalk/gait/schedule.hpp"
@@ -35,11 +36,15 @@ struct GaitOutput {
   double heading = 0.0;          ///< of the walk, H: that of the path in W [rad]
   Vec3 v_plan = Vec3::Zero();    ///< planned velocity (v_x, v_y, w_z) in H
   ZmpBounds room;                ///< where the ZMP may be, in S: inside the support sole; sideways, two feet hold it all between them
+  ForwardOrbit orbit;            ///< over the support foot, at the planned velocity
+  double orbit_middle = 0.0;     ///< its middle, from `origin` along H's x [m]
+  double dv_capture = 0.0;       ///< speed beside the orbit's that leaves the DCM where the next step catches it [m/s]
+  double orbit_ahead = 0.0;      ///< how far that orbit has the COM ahead of steady motion now [m]
   double zmp_lateral = 0.0;      ///< reference ZMP about `origin` along H's y [m]
   Vec2 zmp_rest = Vec2::Zero();  ///< at rest: reference ZMP, W [m]
   double w_T = kNaN;             ///< Eq. 18 in double support before the switch [m/s], else NaN
   Foothold foothold;             ///< of the swing foot; NaN in double support
-  double stretch = 0.0;          ///< how far an ankle will be from below its hip around the next double support [m]; 0 before lift-off
+  double stretch = 0.0;          ///< how far an ankle will be from below its hip around this double support, or the next [m]
   SwingTarget swing_target;      ///< meaningful in single support
 };
 
@@ -71,6 +76,7 @@ class GaitGenerator {
   /// The same without the swing foot's path, for a plan: `swing_target` keeps what it was. Allocates nothing.
   const GaitOutput& update_steps(const GaitInput& in);
 
+  const GaitOutput& output() const { return out_; }  ///< of the last cycle
   const VelocityProfile& plan() const { return plan_; }
   const Schedule& schedule() const { return schedule_; }
   const FootstepPlanner& footsteps() const { return footsteps_; }
@@ -81,13 +87,18 @@ class GaitGenerator {
   void take_command(double t);
   bool begin_phase(const GaitInput& in);  // whether a double support began
   void begin_walk(const GaitInput& in);
+  void move_ahead(const GaitInput& in);
   void move_sideways(const GaitInput& in);
   ZmpBounds room(const GaitInput& in) const;
+  ZmpBounds sole_room(const Vec3& velocity) const;  // of the support foot alone
+  ForwardOrbit orbit(const Vec3& velocity, double period) const;
   /// COM along the heading in the middle of the next double support, `time` [s] away, as the pendulum under the smooth tracker has it,
   /// its ZMP inside the bounds of the support sole; from that sole's centre [m].
   PendulumState roll_out(const GaitInput& in, double time) const;
-  /// How much further than planned the next foot has to stand [m].
-  double ahead_of_plan(const GaitInput& in, double time) const;
+  void capture(const GaitInput& in);
+  /// How much further than planned the next foot has to stand, so that the steady walk begins there [m].
+  double ahead_of_plan(const GaitInput& in) const;
+  double stretch(const GaitInput& in) const;
   bool can_stand(const GaitInput& in) const;  // the DCM is inside the bounds of the feet, which stand side by side
 
   WalkSettings settings_;
@@ -101,6 +112,8 @@ class GaitGenerator {
   LinearInvertedPendulum pendulum_;
   std::array<ZmpBounds, 2> bounds_;
   GaitOutput out_;
+  double xi_next_ = 0.0;    // DCM in the middle of the next double support, from the support foot along the heading [m]
+  double xi_start_ = 0.0;   // where the steady walk over the next foot has it then, from that foot [m]
   bool lifted_ = false;     // a single support began with this cycle
   bool closing_ = false;    // this step ends beside the stance foot
   double period_ = 0.0;     // of the step after this [s]

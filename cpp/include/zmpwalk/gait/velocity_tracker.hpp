@@ -28,9 +28,10 @@ class VelocityTracker {
   /// Bang-bang law: what the state of the integral asks for.
   Drive drive() const { return drive_; }
   /// Smooth law: acceleration [m/s^2] for planned velocity `v_plan` and current velocity `v` [m/s].
-  double acceleration(double v_plan, double v) const;
-  /// Smooth law: what it adds to v_plan, -k I within `reach` [m/s].
-  double catch_up() const;
+  /// @param ahead what I is meant to be now [m]
+  double acceleration(double v_plan, double v, double ahead = 0.0) const;
+  /// Smooth law: what it adds to v_plan, -k (I - ahead) within `reach` [m/s].
+  double catch_up(double ahead = 0.0) const;
   /// Adds one cycle to the integral and, for the bang-bang law, takes the next mode.
   void advance(double v_des, double v_plan, double dt);
 
