@@ -155,6 +155,7 @@ WalkSettings resolve(const WalkSettings& settings, const RobotScale& robot, doub
   if (s.footsteps == Footsteps::kPaper) s.step_lengths = paper_step_lengths();
   if (s.footsteps == Footsteps::kPrinted) s.step_lengths = printed_step_lengths();
   if (s.footsteps == Footsteps::kTied) s.step_lengths.clear();
+  fill(s.cadence_exponent, s.step_lengths.empty() ? 0.4 : 0.0);
 
   if (s.first_swing != "right" && s.first_swing != "left")
     throw InputError("first_swing = '" + s.first_swing + "' is unknown; there are: right, left");

@@ -275,8 +275,7 @@ double WalkingController::start_excursion(double scale) const {
 }
 
 double WalkingController::plan_mismatch(double duration) const {
-  const double period = settings_.T_ds + settings_.T_ss;
-  return gait_.footsteps().mismatch(static_cast<int>(std::floor(duration / period + 1e-9)), period);
+  return gait_.footsteps().mismatch(duration, gait_.cadence());
 }
 
 void WalkingController::reset(const mjData* data) {

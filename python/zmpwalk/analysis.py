@@ -13,6 +13,7 @@ __all__ = [
     "Window",
     "bound_excess",
     "feet_pose",
+    "in_support_axes",
     "mean_velocity",
     "midstance_offset",
     "planned_path",
@@ -90,16 +91,16 @@ def bound_excess(trace: Any, single_support: bool = True) -> np.ndarray:
 
     The axes are those of the support sole, along which the bounds run.
     """
-    w, x, y, z = np.where(trace.support[:, None] > 0, trace.foot_left, trace.foot_right)[:, 3:].T
-    yaw = np.arctan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
-    along = np.stack([np.cos(yaw), np.sin(yaw)], axis=-1)
-    across = np.stack([-np.sin(yaw), np.cos(yaw)], axis=-1)
-
-    def in_sole(v: np.ndarray) -> np.ndarray:
-        return np.stack([(v * along).sum(axis=1), (v * across).sum(axis=1)], axis=-1)
-
-    excess = np.maximum(in_sole(trace.zmp_est - trace.zmp_upper), in_sole(trace.zmp_lower - trace.zmp_est))
+    above, below = trace.zmp_est - trace.zmp_upper, trace.zmp_lower - trace.zmp_est
+    excess = np.maximum(in_support_axes(trace, above), in_support_axes(trace, below))
     return np.asarray(excess[trace.phase == 1] if single_support else excess)
+
+
+def in_support_axes(trace: Any, v: np.ndarray) -> np.ndarray:
+    """Horizontal vectors in W, one a cycle, along the support sole's axes (T, 2)."""
+    yaw = sole_yaw(np.where(trace.support[:, None] > 0, trace.foot_left, trace.foot_right))
+    c, s = np.cos(yaw), np.sin(yaw)
+    return np.stack([c * v[:, 0] + s * v[:, 1], c * v[:, 1] - s * v[:, 0]], axis=-1)
 
 
 def yaw_moment(trace: Any, about: str = "zmp") -> np.ndarray:

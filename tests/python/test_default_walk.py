@@ -9,7 +9,7 @@ from zmpwalk.description import ROBOTS
 
 MM = 1e-3
 PERIOD = 0.8  # [s]
-SETTLED = 5  # steps after which the gait repeats itself
+SETTLED = 8  # steps after which the gait repeats itself: the plan changes until the third, then a third of a change is left
 
 
 @pytest.fixture(scope="session")
@@ -106,8 +106,8 @@ def test_estimate_stays_inside_its_bounds_in_single_support(long_walk):
 
 def test_zmp_does_reach_its_bounds(long_walk):
     assert (long_walk.zmp_modified[:, 0] != 0).mean() > 0.05
-    bounds = long_walk.zmp_upper[:, 0] - long_walk.zmp_lower[:, 0]
-    assert bounds[long_walk.phase == 1] == pytest.approx(0.18, abs=1e-9)
+    bounds = analysis.in_support_axes(long_walk, long_walk.zmp_upper - long_walk.zmp_lower)
+    assert bounds[long_walk.phase == 1, 0] == pytest.approx(0.18, abs=1e-9)
 
 
 def test_expected_wrenches_carry_the_weight(long_walk):
@@ -166,4 +166,4 @@ def test_free_box_before_the_robot_changes_nothing():
     for name in alone:
         difference = np.abs(with_box[name] - alone[name])
         assert np.array_equal(np.isnan(with_box[name]), np.isnan(alone[name])), name
-        assert np.nanmax(difference) <= 1e-9, name
+        assert np.all(difference[~np.isnan(difference)] <= 1e-9), name

@@ -26,7 +26,7 @@ struct WalkSettings {
   // The cycle
   double control_dt = kNaN, T_ds = kNaN, T_ss = kNaN, T_ds_first = kNaN;
   std::string first_swing = "right";
-  double cadence_speed = kNaN, cadence_exponent = 0.4, cadence_double = 0.5, cadence_sideways = 3.0, cadence_turning = kNaN;
+  double cadence_speed = kNaN, cadence_exponent = kNaN, cadence_double = 0.5, cadence_sideways = 3.0, cadence_turning = kNaN;
   bool stand = true;
   double stand_gain = 1.0, closing_reach = kNaN, closing_turn = 0.05;
   // How fast the planned velocity may change
@@ -82,7 +82,8 @@ void visit_settings(Settings& s, Visitor&& v) {
   v("cadence_speed", s.cadence_speed, "m/s",
     "speed up to which steps take T_ds + T_ss and grow longer; NaN: 0.1 of sqrt(g COM height)");
   v("cadence_exponent", s.cadence_exponent, "",
-    "above it, steps take (cadence_speed / speed)^cadence_exponent of that; 0: always the same");
+    "above it, steps take (cadence_speed / speed)^cadence_exponent of that; 0: always the same; NaN: 0.4, and 0 where a "
+    "list sets the lengths");
   v("cadence_double", s.cadence_double, "",
     "and the double support's share of a step goes as (cadence_speed / speed)^cadence_double");
   v("cadence_sideways", s.cadence_sideways, "", "what 1 m/s sideways counts as forward, for the cadence");

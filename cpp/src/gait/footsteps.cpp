@@ -122,18 +122,21 @@ const Foothold& FootstepPlanner::update(double ahead_of_plan, double aside, doub
   return target_;
 }
 
-double FootstepPlanner::mismatch(int steps, double period) const {
+double FootstepPlanner::mismatch(double duration, const Cadence& cadence) const {
   if (settings_.step_lengths.empty() || settings_.footsteps == Footsteps::kTied) return 0.0;
-  double worst = 0.0, previous = 0.0;
-  for (int n = 0; n < steps; ++n) {
+  const double slow = cadence.slow.period();
+  double worst = 0.0, previous = 0.0, t = 0.0;
+  for (int n = 0;; ++n) {
+    const double period = cadence.times(plan_->displacement(t, t + slow) / slow).period();
+    if (t + period > duration + 1e-9) return worst;
     // A step moves the middle of the feet by half of the leads before and after it. The plan's periods start at 0.
-    const double L = lead(n, 0.0, period);
+    const double L = lead(n, t, period);
     const double feet = 0.5 * (previous + L) / period;
-    const double plan = plan_->displacement(n * period, (n + 1) * period).x() / period;
+    const double plan = plan_->displacement(t, t + period).x() / period;
     if (std::abs(feet - plan) > std::abs(worst)) worst = feet - plan;
     previous = L;
+    t += period;
   }
-  return worst;
 }
 
 }  // namespace zmpwalk

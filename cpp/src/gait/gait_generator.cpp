@@ -216,10 +216,10 @@ void GaitGenerator::move_ahead(const GaitInput& in) {
     capture(in);
 }
 
-ForwardOrbit GaitGenerator::orbit(const Vec3& velocity, double period) const {
+ForwardOrbit GaitGenerator::orbit(const Vec3& velocity, double period, bool end) const {
   const ZmpBounds sole = sole_room(velocity);
-  const double middle = settings_.com_lead;
-  return {pendulum_, velocity.x(), period, std::min(sole.upper.x() - middle, middle - sole.lower.x())};
+  const double middle = settings_.com_lead, ahead = sole.upper.x() - middle, behind = middle - sole.lower.x();
+  return {pendulum_, velocity.x(), period, end ? (velocity.x() < 0.0 ? behind : ahead) : std::max(ahead, behind)};
 }
 
 ZmpBounds GaitGenerator::room(const GaitInput& in) const {
@@ -232,7 +232,7 @@ ZmpBounds GaitGenerator::room(const GaitInput& in) const {
 void GaitGenerator::capture(const GaitInput& in) {
   const double time = out_.phase.to_mid_double, t_mid = in.t + time, slope = time + pendulum_.Tc();
   const double length = plan_.displacement(t_mid, t_mid + period_).x();
-  const double v_s = orbit({length / period_, 0.0, 0.0}, period_).end_velocity();
+  const double v_s = orbit({length / period_, 0.0, 0.0}, period_, true).end_velocity();
   xi_start_ = settings_.com_lead - 0.5 * length + pendulum_.Tc() * v_s;
   xi_next_ = pendulum_.dcm(roll_out(in, time));
   if (settings_.footsteps != Footsteps::kTied) return;
@@ -259,7 +259,8 @@ PendulumState GaitGenerator::roll_out(const GaitInput& in, double time) const {
   const PendulumState now{(in.com - out_.origin).dot(ahead), in.dcom.dot(ahead)};
   double xi = now.x + Tc * now.v, mirror = now.x - Tc * now.v;
   for (int k = 0; k < kPieces; ++k) {
-    const double x = 0.5 * (xi + mirror), v = (xi - mirror) / (2.0 * Tc), from_middle = x - out_.orbit_middle;
+    // as it is in the middle of the piece
+    const double v = (xi - mirror) / (2.0 * Tc), x = 0.5 * (xi + mirror + dt * v), from_middle = x - out_.orbit_middle;
     const double dv = plan_.velocity(in.t + (k + 0.5) * dt).x() - out_.v_plan.x() + in.catch_up + out_.dv_capture;
     const double a = out_.orbit.acceleration(from_middle) + catch_up * (out_.orbit.velocity(from_middle) + dv - v);
     const double r = std::clamp(pendulum_.reference_for(x, a), out_.room.lower.x(), out_.room.upper.x());

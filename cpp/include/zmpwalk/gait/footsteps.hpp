@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "zmpwalk/gait/schedule.hpp"
 #include "zmpwalk/gait/velocity_profile.hpp"
 #include "zmpwalk/math/types.hpp"
 #include "zmpwalk/settings.hpp"
@@ -72,8 +73,9 @@ class FootstepPlanner {
   /// (foot `side`, which lands) or ends (the one that lifts) [m]. @param sway speed of the COM from foot to foot there [m/s]
   double stretch(const Foothold& landed, Side side, const Foothold& lifting, double t_mid, double T_ds, double sway) const;
 
-  /// Largest difference between the speed of the feet and the planned one over `steps` steps [m/s]; 0 where the profile sets the steps.
-  double mismatch(int steps, double period) const;
+  /// Largest difference between the speed of the feet and the planned one in the steps of `duration` [s] -> [m/s]; 0 where the profile
+  /// sets the steps.
+  double mismatch(double duration, const Cadence& cadence) const;
 
  private:
   /// Moves `place` away from `stance` until the soles keep clear of each other.

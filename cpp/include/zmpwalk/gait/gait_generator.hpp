@@ -91,7 +91,7 @@ class GaitGenerator {
   void move_sideways(const GaitInput& in);
   ZmpBounds room(const GaitInput& in) const;
   ZmpBounds sole_room(const Vec3& velocity) const;  // of the support foot alone
-  ForwardOrbit orbit(const Vec3& velocity, double period) const;
+  ForwardOrbit orbit(const Vec3& velocity, double period, bool end = false) const;
   /// COM along the heading in the middle of the next double support, `time` [s] away, as the pendulum under the smooth tracker has it,
   /// its ZMP inside the bounds of the support sole; from that sole's centre [m].
   PendulumState roll_out(const GaitInput& in, double time) const;
