@@ -104,8 +104,8 @@ WalkingController::WalkingController(const mjModel* model, const RobotDescriptio
                settings_.tracker_reach),
       whole_body_(robot_.nv(), robot_.leg_joints(),
                   {settings_.textbook, settings_.posture_task, settings_.wrench_distribution,
-                   settings_.load_alone * 0.5 * sole_.width, settings_.contact_damping,
-                   settings_.singular_damping, settings_.singular_pivot, settings_.kernel}),
+                   settings_.load_alone * 0.5 * sole_.width, settings_.contact_damping, settings_.singular_damping,
+                   settings_.singular_pivot, settings_.kernel}),
       estimator_(robot_.nv()),
       hip_turn_(robot_.hip_turn()),
       R_HB_(Mat3::Identity()),
@@ -138,7 +138,13 @@ WalkingController::WalkingController(const mjModel* model, const RobotDescriptio
 
 GaitInput WalkingController::gait_input(double t, const Vec2& com, const Vec2& dcom) const {
   const auto& [left, right] = robot_.dynamics().sole;
-  return {t, com, dcom, {left.p_WF, right.p_WF}, {left.R_WF, right.R_WF}, tracker_.catch_up(gait_.output().orbit_ahead), ground_};
+  return {t,
+          com,
+          dcom,
+          {left.p_WF, right.p_WF},
+          {left.R_WF, right.R_WF},
+          tracker_.catch_up(gait_.output().orbit_ahead),
+          ground_};
 }
 
 WalkPlan WalkingController::plan(double duration, double dt) const {

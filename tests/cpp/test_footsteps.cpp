@@ -27,6 +27,15 @@ FootstepPlanner planner(const WalkSettings& s, const VelocityProfile& profile) {
   return out;
 }
 
+Cadence cadence(const WalkSettings& s) {
+  return {{s.T_ds, s.T_ss}, s.cadence_speed, s.cadence_exponent, s.cadence_double, {1.0, s.cadence_sideways, 0.0}};
+}
+
+/// Largest difference between the speeds of the feet and of the plan in `duration` [s].
+double mismatch(const WalkSettings& s, const VelocityProfile& profile, double duration) {
+  return planner(s, profile).mismatch(duration, cadence(s));
+}
+
 const VelocityProfile paper = VelocityProfile::paper();
 const VelocityProfile steady({0.0}, {Vec3(0.25, 0, 0)});
 
@@ -50,13 +59,39 @@ BOOST_AUTO_TEST_CASE(without_a_list_a_step_is_half_of_what_the_plan_does_in_eith
 }
 
 BOOST_AUTO_TEST_CASE(corrected_lengths_advance_at_the_planned_speed_and_printed_ones_do_not) {
-  CHECK_NEAR(planner(settings(Footsteps::kPaper), paper).mismatch(10, kPeriod), 0.0,
-             0.6e-3);  // the plan is rounded to mm/s
-  CHECK_NEAR(planner(settings(Footsteps::kPrinted), paper).mismatch(10, kPeriod), 0.0625, 1e-12);
-  CHECK_NEAR(planner(settings(Footsteps::kList, {0.2}), steady).mismatch(10, kPeriod), -0.125,
+  const double duration = 10 * kPeriod;
+  CHECK_NEAR(mismatch(settings(Footsteps::kPaper), paper, duration), 0.0, 0.6e-3);  // the plan is rounded to mm/s
+  CHECK_NEAR(mismatch(settings(Footsteps::kPrinted), paper, duration), 0.0625, 1e-12);
+  CHECK_NEAR(mismatch(settings(Footsteps::kList, {0.2}), steady, duration), -0.125,
              1e-12);  // the first step starts from rest
-  BOOST_CHECK_EQUAL(planner(settings(Footsteps::kTied), paper).mismatch(10, kPeriod), 0.0);
-  BOOST_CHECK_EQUAL(planner(settings(Footsteps::kAbsolute), paper).mismatch(10, kPeriod), 0.0);
+  BOOST_CHECK_EQUAL(mismatch(settings(Footsteps::kTied), paper, duration), 0.0);
+  BOOST_CHECK_EQUAL(mismatch(settings(Footsteps::kAbsolute), paper, duration), 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(listed_lengths_are_compared_at_the_cadence_that_walks_them) {
+  WalkSettings s = settings(Footsteps::kList, {1.0});
+  const VelocityProfile fast({0.0}, {Vec3(0.6, 0, 0)});
+  CHECK_NEAR(mismatch(s, fast, 4.0), 1.0 / kPeriod - 0.6, 1e-12);
+  s.cadence_exponent = 0.4;  // steps of 0.6 m/s then take (cadence_speed / 0.6)^0.4 of the slow ones
+  const double period = kPeriod * std::pow(s.cadence_speed / 0.6, 0.4);
+  CHECK_NEAR(mismatch(s, fast, 4.0), 1.0 / period - 0.6, 1e-12);
+  // Half of two leads is what the plan does in a period, from the first step on.
+  const double twice = 2 * 0.6 * period;
+  s.step_lengths = {twice, 0.0, twice, 0.0, twice, 1.5 * twice};
+  CHECK_NEAR(mismatch(s, fast, 5 * period), 0.0, 1e-12);
+  CHECK_NEAR(mismatch(s, fast, 5.99 * period), 0.0, 1e-12);
+  CHECK_NEAR(mismatch(s, fast, 6 * period), 1.5 * 0.6, 1e-12);
+}
+
+BOOST_AUTO_TEST_CASE(each_listed_step_takes_the_time_of_the_plan_ahead_of_it) {
+  WalkSettings s = settings(Footsteps::kList, {0.0});
+  s.cadence_exponent = 0.4;
+  const double fast = kPeriod * std::pow(s.cadence_speed / 0.6, 0.4);
+  const VelocityProfile faster({0.0, 2 * kPeriod}, {Vec3(0.2, 0, 0), Vec3(0.6, 0, 0)});
+  const double slow_2 = 2 * 0.2 * kPeriod, fast_2 = 2 * 0.6 * fast;
+  s.step_lengths = {slow_2, 0.0, fast_2, 0.0, fast_2, 0.0, fast_2};
+  CHECK_NEAR(mismatch(s, faster, 2 * kPeriod + 5 * fast), 0.0, 1e-12);
+  CHECK_NEAR(mismatch(s, faster, 2 * kPeriod + 6 * fast), 0.6, 1e-12);  // the last length once more
 }
 
 BOOST_AUTO_TEST_CASE(a_listed_step_leads_the_measured_stance_foot_and_lands_beside_the_path) {
@@ -101,10 +136,43 @@ BOOST_AUTO_TEST_CASE(absolute_footholds_put_the_planned_com_between_the_feet_in_
     if (n > 0) {
       CHECK_NEAR(0.5 * (before + now).x(), steady.displacement(0, t_mid).x(), 1e-12);
       // Ahead of one hip, behind the other; and how far the COM goes in half of the double support.
-      CHECK_NEAR(feet.stretch({before, 0.0}, t_mid, 0.0, 0.0), 0.5 * 0.25 * kPeriod, 1e-12);
-      CHECK_NEAR(feet.stretch({before, 0.0}, t_mid, 0.16, 0.0), 0.5 * 0.25 * (kPeriod + 0.16), 1e-12);
+      const auto stretch = [&](double T_ds) {
+        return feet.stretch({now, 0.0}, swing, {before, 0.0}, t_mid, T_ds, 0.0);
+      };
+      CHECK_NEAR(stretch(0.0), 0.5 * 0.25 * kPeriod, 1e-12);
+      CHECK_NEAR(stretch(0.16), 0.5 * 0.25 * (kPeriod + 0.16), 1e-12);
     }
     before = now;
+  }
+}
+
+BOOST_AUTO_TEST_CASE(stretch_is_that_of_the_foot_that_is_farther_from_its_hip_as_double_support_begins_or_ends) {
+  const VelocityProfile stand({0.0}, {Vec3::Zero()}), ahead({0.0}, {Vec3(0.25, 0, 0)});
+  const auto foot = [](Side side, double x, double out) {
+    return Foothold{Vec2(x, side_sign(side) * (0.11 + out)), 0.0};
+  };
+  const auto both = [](const FootstepPlanner& feet, const Foothold& left, const Foothold& right, double T_ds,
+                       double sway, Side landed) {
+    return landed == kLeft ? feet.stretch(left, kLeft, right, 0.0, T_ds, sway)
+                           : feet.stretch(right, kRight, left, 0.0, T_ds, sway);
+  };
+  for (const Side landed : kSides) {
+    const FootstepPlanner still = planner(settings(Footsteps::kTied), stand),
+                          moving = planner(settings(Footsteps::kTied), ahead);
+    const Foothold left = foot(kLeft, 0, 0), right = foot(kRight, 0, 0);
+    CHECK_NEAR(both(still, left, right, 0.16, 0.0, landed), 0.0, 1e-15);  // each below its hip
+    // The COM comes from the foot that lifts and goes to the one that landed: away from the one, before it reached the other.
+    CHECK_NEAR(both(still, left, right, 0.16, 0.5, landed), 0.08 * 0.5, 1e-15);
+    CHECK_NEAR(both(still, foot(kLeft, 0, 0.03), right, 0.16, 0.5, landed), 0.03 + 0.08 * 0.5, 1e-15);
+    CHECK_NEAR(both(still, left, foot(kRight, 0, 0.03), 0.16, 0.5, landed), 0.03 + 0.08 * 0.5, 1e-15);
+    CHECK_NEAR(both(still, foot(kLeft, 0.1, 0), foot(kRight, -0.05, 0), 0.16, 0.0, landed), 0.1, 1e-15);
+    CHECK_NEAR(both(still, foot(kLeft, 0.1, 0), foot(kRight, -0.15, 0), 0.16, 0.0, landed), 0.15, 1e-15);
+    // Ahead it lands farther off, behind it lifts farther off; the other way round, the COM comes nearer.
+    const double front = landed == kLeft ? 0.1 : -0.1;
+    CHECK_NEAR(both(moving, foot(kLeft, front, 0), foot(kRight, -front, 0), 0.16, 0.0, landed), 0.1 + 0.08 * 0.25,
+               1e-15);
+    CHECK_NEAR(both(moving, foot(kLeft, -front, 0), foot(kRight, front, 0), 0.16, 0.0, landed), 0.1 - 0.08 * 0.25,
+               1e-15);
   }
 }
 
@@ -144,8 +212,8 @@ BOOST_AUTO_TEST_CASE(soles_keep_clear_of_each_other_whatever_the_turn) {
     const Side swing = n % 2 ? kLeft : kRight;
     const Foothold stance{kStart[other(swing)].p + numbers.vector(2, 0.05), numbers.uniform(-0.3, 0.3)};
     feet.begin_step(0, swing, stance, 0.9, kPeriod);
-    for (const Foothold& to :
-         {feet.target(), Foothold(feet.update(numbers.uniform(-1, 1), numbers.uniform(-1, 1), 0.9, kPeriod, 0.3, 1.0))}) {
+    for (const Foothold& to : {feet.target(), Foothold(feet.update(numbers.uniform(-1, 1), numbers.uniform(-1, 1), 0.9,
+                                                                   kPeriod, 0.3, 1.0))}) {
       double least = 1.0;  // of the sole's corners, seen from the stance sole's edge
       for (const double x : {-0.5, 0.5})
         for (const double y : {-0.5, 0.5}) {
@@ -177,9 +245,7 @@ BOOST_AUTO_TEST_CASE(tied_foothold_is_low_passed_clamped_and_frozen) {
   FootstepPlanner feet = planner(s, steady);
   feet.advance(4.6, Vec2(0.55, 0));
   const Foothold nominal = feet.begin_step(3, kRight, {Vec2(0.5, 0.11), 0.0}, 5.0, kPeriod);
-  const auto update = [&](double share, double aside) {
-    return feet.update(2.0, aside, 5.0, kPeriod, share, kDt).p;
-  };
+  const auto update = [&](double share, double aside) { return feet.update(2.0, aside, 5.0, kPeriod, share, kDt).p; };
   CHECK_NEAR(update(0.1, 0.0).x() - nominal.p.x(), s.foothold_reach * (1 - std::exp(-kDt / s.foothold_time)), 1e-12);
   for (int k = 0; k < 2000; ++k) update(0.1, -2.0);
   CHECK_NEAR(update(0.1, -2.0) - nominal.p, Vec2(s.foothold_reach, -s.foothold_reach), 1e-9);
@@ -234,11 +300,30 @@ BOOST_AUTO_TEST_CASE(settings_come_from_the_robot_where_they_are_not_set) {
     if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>)
       BOOST_CHECK_MESSAGE(std::isfinite(value), name);
   });
+  CHECK_NEAR(s.capture_reach, 0.07 * 0.747, 1e-12);
+  CHECK_NEAR(s.capture_speed, 0.2 * std::sqrt(9.81 * 0.747), 1e-12);
   // A robot four times as tall walks half as fast in time: periods double, k_p goes with 1/4, k_d with 1/2.
   const WalkSettings tall = resolve(WalkSettings(), {4 * 0.747, 9.81, 0.001, 0.9});
   CHECK_NEAR(tall.T_ss, 2 * s.T_ss, 1e-12);
   CHECK_NEAR(tall.com_x_kp, s.com_x_kp / 4, 1e-9);
   CHECK_NEAR(tall.swing_kd, s.swing_kd / 2, 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(steps_come_faster_in_a_faster_walk_unless_a_list_sets_their_lengths) {
+  BOOST_CHECK(std::isnan(WalkSettings().cadence_exponent));
+  BOOST_CHECK_EQUAL(settings(Footsteps::kTied).cadence_exponent, 0.4);
+  BOOST_CHECK_EQUAL(settings(Footsteps::kTied, {0.2}).cadence_exponent, 0.4);  // tied: nobody reads the list
+  BOOST_CHECK_EQUAL(settings(Footsteps::kAbsolute).cadence_exponent, 0.4);
+  BOOST_CHECK_EQUAL(settings(Footsteps::kAbsolute, {0.2}).cadence_exponent, 0.0);
+  for (const Footsteps kind : {Footsteps::kPaper, Footsteps::kPrinted, Footsteps::kList})
+    BOOST_CHECK_EQUAL(settings(kind, {0.2}).cadence_exponent, 0.0);
+  for (const Footsteps kind : {Footsteps::kTied, Footsteps::kList}) {
+    WalkSettings own;
+    own.footsteps = kind;
+    own.step_lengths = {0.2};
+    own.cadence_exponent = 0.25;
+    BOOST_CHECK_EQUAL(resolve(own, kRobot).cadence_exponent, 0.25);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(step_height_is_what_the_knee_can_lift_against_its_rotor_and_damping) {

@@ -3,6 +3,7 @@
 
 #include "testing.hpp"
 #include "zmpwalk/gait/gait_generator.hpp"
+#include "zmpwalk/gait/plan.hpp"
 #include "zmpwalk/math/error.hpp"
 #include "zmpwalk/math/rotation.hpp"
 
@@ -31,7 +32,7 @@ struct PointWalk {
     gait.reset(in, pendulum);
   }
   const GaitOutput& step() {
-    in.catch_up = tracker.catch_up();
+    in.catch_up = tracker.catch_up(gait.output().orbit_ahead);
     const GaitOutput& out = gait.update(in);
     const Mat2 R_S = rotation_z(out.yaw).topLeftCorner<2, 2>();
     const Vec2 wanted = reference_zmp(out, pendulum, tracker, in.com, in.dcom);
@@ -53,6 +54,12 @@ struct PointWalk {
     return out;
   }
   Vec2 middle() const { return 0.5 * (in.p_sole[kLeft] + in.p_sole[kRight]).head<2>(); }
+  double x(const Vec2& p) const { return p.dot(ahead_of(gait.output().heading)); }  ///< along the walk
+  double lead() const { return std::abs(x((in.p_sole[kLeft] - in.p_sole[kRight]).head<2>())); }
+  double dcm() const { return x(in.com + pendulum.Tc() * in.dcom - gait.output().origin); }  ///< from the stance foot
+  void run_until(double t) {
+    while (in.t < t) step();
+  }
 
   LinearInvertedPendulum pendulum;
   double dt;
@@ -62,6 +69,71 @@ struct PointWalk {
   GaitInput in;
   Vec2 zmp;
 };
+
+constexpr double kRounding = 1e-12;  // of dv_capture that came back to zero [m/s]
+
+VelocityProfile steady(double v) { return VelocityProfile({0.0}, {Vec3(v, 0, 0)}); }
+
+double period_of(const PointWalk& walk, double v) { return walk.gait.cadence().times(Vec3(v, 0, 0)).period(); }
+
+/// Walks at `v` until 20 s, then for 10 steps more, which are as long as v asks for, at that speed, and need no capture.
+void settles(double v, double lead_tolerance, double speed_tolerance) {
+  PointWalk walk(settings(), 0.0, steady(v));
+  const double L = std::abs(v) * period_of(walk, v);
+  walk.run_until(20.0);
+  double x_start = kNaN, t_start = kNaN, off = 0.0, capture = 0.0;
+  bool standing = true;
+  for (int n = 0; n <= 10;) {
+    const GaitOutput& out = walk.step();
+    const bool landed = out.phase.phase == Phase::kDoubleSupport && !standing;
+    standing = out.phase.phase == Phase::kDoubleSupport;
+    capture = std::max(capture, std::abs(out.dv_capture));
+    if (!landed) continue;
+    off = std::max(off, gap(walk.lead(), L));
+    if (n == 0) {
+      x_start = walk.x(walk.in.com);
+      t_start = walk.in.t;
+    } else if (n == 10) {
+      CHECK_NEAR((walk.x(walk.in.com) - x_start) / (walk.in.t - t_start), v, speed_tolerance);
+    }
+    ++n;
+  }
+  BOOST_CHECK_LE(off, lead_tolerance);
+  CHECK_NEAR(capture, 0.0, kRounding);
+}
+
+/// How far from the stance foot the DCM of a steady walk at `v` comes, before the next foot takes over [m].
+double steady_dcm(const WalkSettings& s, const PointWalk& walk, double v) {
+  const double T = period_of(walk, v), pace = walk.gait.cadence().pace(Vec3(v, 0, 0));
+  const double reach = kBounds.upper.x() * std::pow(pace, s.sole_exponent) - s.com_lead;
+  return s.com_lead + 0.5 * v * T + walk.pendulum.Tc() * ForwardOrbit(walk.pendulum, v, T, reach).end_velocity();
+}
+
+/// What a walk at some speed goes through when another is commanded at any of 8 instants of two steps.
+struct Jump {
+  double excess = 0.0;  ///< largest distance of the DCM from the stance foot beyond that of the faster steady walk [m]
+  int captures = 0;     ///< of the 8 walks: those whose speed yields within a slow period
+};
+
+Jump jump(const WalkSettings& s, double v, double dv) {
+  Jump out;
+  const double slow = s.T_ds + s.T_ss;
+  for (int k = 0; k < 8; ++k) {
+    PointWalk walk(s, 0.0, steady(v));
+    walk.run_until(6.0 + 0.25 * k * period_of(walk, v));
+    walk.gait.command({v + dv, 0, 0});
+    const double t = walk.in.t, most = steady_dcm(s, walk, std::max(std::abs(v), std::abs(v + dv)));
+    bool yields = false;
+    while (walk.in.t < t + 5.0 && out.excess < 1.0) {  // who is a metre off has fallen
+      const GaitOutput& now = walk.step();
+      if (now.at_rest) continue;
+      out.excess = std::max(out.excess, std::abs(walk.dcm()) - most);
+      yields |= walk.in.t < t + slow && std::abs(now.dv_capture) > kRounding;
+    }
+    out.captures += yields;
+  }
+  return out;
+}
 
 /// When support switched, in each double support [s since it began].
 std::vector<double> switch_times(PointWalk& walk, double duration) {
@@ -362,4 +434,147 @@ BOOST_AUTO_TEST_CASE(a_command_leads_from_the_next_cycle_on_until_reset) {
   walk.in.t = 0.0;
   walk.gait.reset(walk.in, walk.pendulum);
   BOOST_CHECK(walk.step().at_rest);  // neither the command in force nor the one on its way
+}
+
+BOOST_AUTO_TEST_CASE(a_slow_walk_settles_on_steps_of_the_planned_length_and_speed_without_capture) {
+  for (const double v : {-0.2, 0.1, 0.2, 0.3}) settles(v, 1e-4, 1e-4);
+}
+
+BOOST_AUTO_TEST_CASE(a_fast_walk_settles_on_steps_of_the_planned_length_and_speed_without_capture) {
+  for (const double v : {0.6, 1.0}) settles(v, 2e-3, 2e-3);
+}
+
+BOOST_AUTO_TEST_CASE(walking_back_on_long_steps_settles_on_the_planned_length_and_speed_without_capture) {
+  settles(-0.3, 2e-3, 2e-3);
+}
+
+BOOST_AUTO_TEST_CASE(a_command_at_any_instant_leaves_the_dcm_where_the_next_step_catches_it) {
+  const WalkSettings s = settings();
+  for (const double v : {0.3, 0.6, 1.0})
+    for (const double dv : {-0.3, 0.3}) BOOST_CHECK_LE(jump(s, v, dv).excess, 1.5 * s.capture_reach);
+}
+
+BOOST_AUTO_TEST_CASE(speed_yields_after_some_jumps_of_the_command_and_never_without_one) {
+  const WalkSettings s = settings();
+  BOOST_CHECK_EQUAL(jump(s, 0.3, 0.0).captures, 0);
+  for (const double dv : {-0.3, 0.3}) BOOST_CHECK_GT(jump(s, 0.3, dv).captures, 0);
+}
+
+BOOST_AUTO_TEST_CASE(speed_yields_where_the_com_is_shifted_and_leaves_the_next_step_less_to_catch) {
+  struct Missed {
+    double dcm = 0.0, against = 0.0, along = 0.0;
+  };
+  // What the DCM misses as the next foot lands, after a shift of the COM as the last one lifted, and how speed yielded then.
+  const auto missed = [](double shift, double capture_speed) {
+    WalkSettings s = settings();
+    s.capture_speed = capture_speed;
+    PointWalk walk(s, 0.0, steady(0.3));
+    walk.run_until(10.0);
+    Missed out;
+    const auto until = [&](Phase phase) {
+      out.against = out.along = 0.0;
+      while (walk.step().phase.phase != phase) {
+        const double dv = walk.gait.output().dv_capture;
+        double& way = dv * shift > 0.0 ? out.along : out.against;
+        way = std::max(way, std::abs(dv));
+      }
+      return walk.dcm();
+    };
+    until(Phase::kDoubleSupport);
+    until(Phase::kSingleSupport);
+    const double as_planned = until(Phase::kDoubleSupport);
+    until(Phase::kSingleSupport);
+    walk.in.com.x() += shift;
+    out.dcm = std::abs(until(Phase::kDoubleSupport) - as_planned);
+    return out;
+  };
+  const double yields = settings().capture_speed;
+  const Missed ahead = missed(0.08, yields), behind = missed(-0.05, yields), near = missed(0.01, yields);
+  BOOST_CHECK_LT(ahead.dcm, 0.5 * missed(0.08, 0.0).dcm);
+  BOOST_CHECK_LT(behind.dcm, missed(-0.05, 0.0).dcm);  // the ZMP is at the heel already
+  for (const Missed& far : {ahead, behind}) {
+    BOOST_CHECK_GT(far.against, 0.01);
+    CHECK_NEAR(far.along, 0.0, kRounding);
+  }
+  CHECK_NEAR(near.against + near.along, 0.0, kRounding);  // within capture_reach: the next foot takes it all
+}
+
+BOOST_AUTO_TEST_CASE(speed_yields_by_no_more_than_capture_speed_and_not_before_the_switch) {
+  const WalkSettings s = settings();
+  PointWalk walk(s, 0.0, steady(0.6));
+  walk.run_until(8.0);
+  walk.gait.command({0.3, 0, 0});
+  double most = 0.0;
+  while (walk.in.t < 12.0) {
+    const GaitOutput& out = walk.step();
+    if (!std::isnan(out.w_T)) BOOST_CHECK_EQUAL(out.dv_capture, 0.0);  // eq. 18: the switch is still to come
+    most = std::max(most, std::abs(out.dv_capture));
+  }
+  BOOST_CHECK_GT(most, kRounding);
+  BOOST_CHECK_LE(most, s.capture_speed);
+}
+
+BOOST_AUTO_TEST_CASE(orbit_does_not_jump_ahead_from_cycle_to_cycle) {
+  // One orbit ends and the next begins with nothing; the support switches within a cycle or two of that.
+  for (const double v : {-0.5, 0.3, 0.6, 1.0}) {
+    PointWalk walk(settings(), 0.0, steady(v));
+    walk.run_until(8.0);
+    double before = kNaN, most = 0.0;
+    while (walk.in.t < 12.0) {
+      const GaitOutput& out = walk.step();
+      const double range = std::abs(out.orbit.end_velocity() - out.orbit.velocity(0.0));
+      if (!std::isnan(before)) BOOST_CHECK_LE(std::abs(out.orbit_ahead - before), 2 * range * walk.dt);
+      before = out.orbit_ahead;
+      most = std::max(most, std::abs(before));
+    }
+    BOOST_CHECK_GT(most, 1e-4);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(stretch_goes_on_where_the_foot_lands_and_is_half_a_step_and_what_the_com_moves) {
+  const double v = 0.2;
+  PointWalk walk(settings(), 0.0, steady(v));
+  const StepTimes times = walk.gait.cadence().times(Vec3(v, 0, 0));
+  const double L = v * times.period(), half = 0.5 * times.T_ds, Tc = walk.pendulum.Tc();
+  // Ahead at v, and from foot to foot, (L, 0.22) apart, at the speed of the orbit between them.
+  const Vec2 over(L, 0.22), moves = half * (Vec2(v, 0) + over * 0.5 / Tc * std::tanh(0.5 * times.period() / Tc));
+  const double expected = (Vec2(0.5 * L, 0) + moves).norm();
+  walk.run_until(12.0);
+  double before = kNaN;
+  int landings = 0;
+  Phase phase = Phase::kDoubleSupport;
+  while (walk.in.t < 18.0) {
+    const GaitOutput& out = walk.step();
+    if (out.phase.phase == Phase::kDoubleSupport) {
+      CHECK_NEAR(out.stretch, expected, 2e-4);
+      if (phase == Phase::kSingleSupport) {
+        CHECK_NEAR(out.stretch, before, 1e-5);
+        ++landings;
+      }
+    }
+    phase = out.phase.phase;
+    before = out.stretch;
+  }
+  BOOST_CHECK_GE(landings, 7);
+}
+
+BOOST_AUTO_TEST_CASE(a_plan_is_the_walk_of_a_point_mass_that_does_as_it_is_told) {
+  for (const VelocityProfile& profile :
+       {steady(0.2), steady(0.3), VelocityProfile({0.0, 4.0}, {Vec3(0.1, 0, 0), Vec3(0.25, 0.05, 0.1)})}) {
+    PointWalk walk(settings(), 0.0, profile);
+    const WalkPlan plan = plan_walk(settings(), profile, walk.pendulum, {kBounds, kBounds}, kSole, walk.in, 12.0);
+    std::size_t landed = 0;
+    bool standing = true;
+    for (std::size_t k = 0; k < plan.t.size(); ++k) {
+      CHECK_NEAR(walk.in.com, plan.com[k], 1e-5);
+      const GaitOutput& out = walk.step();
+      const bool stands = out.phase.phase == Phase::kDoubleSupport;
+      if (stands && !standing) {
+        const WalkPlan::Step& step = plan.steps.at(landed++);
+        CHECK_NEAR(walk.in.p_sole[step.foot].head<2>(), step.place.p, 1e-4);
+      }
+      standing = stands;
+    }
+    BOOST_CHECK_EQUAL(landed, plan.steps.size());
+  }
 }

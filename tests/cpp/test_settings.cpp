@@ -37,6 +37,9 @@ BOOST_AUTO_TEST_CASE(settings_that_break_a_rule_are_refused_with_name_value_and_
   refused([](auto& s) { s.footsteps = Footsteps::kList, s.step_lengths = {0.1, kNaN}; }, "step_lengths = nan");
   refused([](auto& s) { s.friction_velocity = 0.0; }, "friction_velocity = 0.000000");
   refused([](auto& s) { s.lateral_reach = kNaN; }, "lateral_reach = nan");
+  refused([](auto& s) { s.capture_reach = -0.01; }, "capture_reach = -0.01");
+  refused([](auto& s) { s.capture_speed = INFINITY; }, "capture_speed = inf");
+  refused([](auto& s) { s.cadence_exponent = -0.4; }, "cadence_exponent = -0.4");
 }
 
 BOOST_AUTO_TEST_CASE(a_profile_that_the_legs_cannot_walk_is_refused_with_their_limit) {

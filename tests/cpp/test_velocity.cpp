@@ -175,6 +175,37 @@ BOOST_AUTO_TEST_CASE(smooth_tracker_brings_speed_and_integral_to_the_plan) {
   CHECK_NEAR(tracker.acceleration(0.35, 0.25), 0.1 / 0.05, 1e-4);
 }
 
+BOOST_AUTO_TEST_CASE(smooth_tracker_asks_for_nothing_while_the_integral_is_as_far_ahead_as_it_is_meant_to_be) {
+  const double gain = 5.0, time = 0.05, reach = 0.08;
+  VelocityTracker tracker(TrackerLaw::kSmooth, gain, time, 2e-4, reach);
+  tracker.advance(0.26, 0.25, 1.0);  // I = 0.01 m
+  CHECK_NEAR(tracker.catch_up(0.01), 0.0, 1e-15);
+  CHECK_NEAR(tracker.acceleration(0.25, 0.25, 0.01), 0.0, 1e-13);
+  CHECK_NEAR(tracker.catch_up(0.014), gain * 0.004, 1e-15);
+  CHECK_NEAR(tracker.acceleration(0.25, 0.3, 0.014), (0.25 + gain * 0.004 - 0.3) / time, 1e-13);
+  BOOST_CHECK_EQUAL(tracker.catch_up(), tracker.catch_up(0.0));
+  BOOST_CHECK_EQUAL(tracker.acceleration(0.25, 0.3), tracker.acceleration(0.25, 0.3, 0.0));
+  CHECK_NEAR(tracker.catch_up(), -gain * 0.01, 1e-15);
+  for (const double sign : {-1.0, 1.0}) {
+    CHECK_NEAR(tracker.catch_up(0.01 + sign), sign * reach, 1e-15);
+    CHECK_NEAR(tracker.acceleration(0.0, 0.0, 0.01 + sign), sign * reach / time, 1e-13);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(smooth_tracker_brings_the_integral_to_where_it_is_meant_to_be) {
+  for (const double ahead : {-0.02, 0.03}) {
+    VelocityTracker tracker(TrackerLaw::kSmooth, 5.0, 0.05, 2e-4, 0.08);
+    double v = 0.25;
+    for (int k = 0; k < 5000; ++k) {
+      v += tracker.acceleration(0.25, v, ahead) * 1e-3;
+      tracker.advance(v, 0.25, 1e-3);
+      BOOST_CHECK_LE(std::abs(v - 0.25), 0.08 + 1e-12);
+    }
+    CHECK_NEAR(v, 0.25, 1e-6);
+    CHECK_NEAR(tracker.integral(), ahead, 1e-6);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(bang_bang_tracker_drives_until_the_integral_is_zero) {
   for (const double sign : {-1.0, 1.0}) {
     VelocityTracker tracker(TrackerLaw::kBangBang, 5.0, 0.05, 2e-4);

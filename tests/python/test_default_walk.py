@@ -9,7 +9,7 @@ from zmpwalk.description import ROBOTS
 
 MM = 1e-3
 PERIOD = 0.8  # [s]
-SETTLED = 8  # steps after which the gait repeats itself: the plan changes until the third, then a third of a change is left
+SETTLED = 5  # steps after which the gait repeats itself
 
 
 @pytest.fixture(scope="session")

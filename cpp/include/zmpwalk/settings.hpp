@@ -26,7 +26,8 @@ struct WalkSettings {
   // The cycle
   double control_dt = kNaN, T_ds = kNaN, T_ss = kNaN, T_ds_first = kNaN;
   std::string first_swing = "right";
-  double cadence_speed = kNaN, cadence_exponent = kNaN, cadence_double = 0.5, cadence_sideways = 3.0, cadence_turning = kNaN;
+  double cadence_speed = kNaN, cadence_exponent = kNaN, cadence_double = 0.5, cadence_sideways = 3.0,
+         cadence_turning = kNaN;
   bool stand = true;
   double stand_gain = 1.0, closing_reach = kNaN, closing_turn = 0.05;
   // How fast the planned velocity may change
@@ -55,7 +56,7 @@ struct WalkSettings {
   Footsteps footsteps = Footsteps::kTied;
   std::vector<double> step_lengths;
   double step_width = kNaN, foot_clearance = kNaN, step_height = kNaN, foothold_reach = kNaN, com_lead = kNaN,
-         foothold_time = kNaN, foothold_freeze = 0.7, capture_reach = kNaN, capture_speed = kNaN;
+         foothold_time = kNaN, foothold_give = 0.3, foothold_freeze = 0.7, capture_reach = kNaN, capture_speed = kNaN;
   bool swing_feed_forward = true;
   double swing_kp = kNaN, swing_kd = kNaN;
   // The other tasks, double support
@@ -82,7 +83,8 @@ void visit_settings(Settings& s, Visitor&& v) {
   v("cadence_speed", s.cadence_speed, "m/s",
     "speed up to which steps take T_ds + T_ss and grow longer; NaN: 0.1 of sqrt(g COM height)");
   v("cadence_exponent", s.cadence_exponent, "",
-    "above it, steps take (cadence_speed / speed)^cadence_exponent of that; 0: always the same; NaN: 0.4, and 0 where a "
+    "above it, steps take (cadence_speed / speed)^cadence_exponent of that; 0: always the same; NaN: 0.4, and 0 where "
+    "a "
     "list sets the lengths");
   v("cadence_double", s.cadence_double, "",
     "and the double support's share of a step goes as (cadence_speed / speed)^cadence_double");
@@ -121,7 +123,8 @@ void visit_settings(Settings& s, Visitor&& v) {
   v("max_iterations", s.max_iterations, "", "bound of the loop");
   v("sole_fraction", s.sole_fraction, "", "share of the sole that the ZMP may use");
   v("sole_exponent", s.sole_exponent, "",
-    "above cadence_speed the ZMP uses less of the sole's length, as (cadence_speed / speed)^sole_exponent: at its edges "
+    "above cadence_speed the ZMP uses less of the sole's length, as (cadence_speed / speed)^sole_exponent: at its "
+    "edges "
     "the contact chatters");
   v("ankle_torque_fraction", s.ankle_torque_fraction, "", "share of the ankle's torque limit that may hold the ZMP");
   v("bound_lateral", s.bound_lateral, "", "bound the lateral ZMP too; the paper bounds the sagittal one only");
@@ -159,6 +162,10 @@ void visit_settings(Settings& s, Visitor&& v) {
     "NaN: 0.0134 of the COM height");
   v("foothold_time", s.foothold_time, "s",
     "tied footholds: time constant of the low-pass on the target; NaN: 0.18 T_c");
+  v("foothold_give", s.foothold_give, "",
+    "tied footholds: an excess speed moves the DCM; up to this share of the bounds the ZMP of the next stance takes it "
+    "up, "
+    "what is more moves the foothold");
   v("foothold_freeze", s.foothold_freeze, "",
     "tied footholds: share of the single support after which the target stands");
   v("capture_reach", s.capture_reach, "m",

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "zmpwalk/math/error.hpp"
 #include "zmpwalk/math/rotation.hpp"
 
 namespace zmpwalk {
@@ -29,9 +30,7 @@ void FootstepPlanner::reset(const std::array<Foothold, 2>& feet, double heading)
   restart(feet);
 }
 
-void FootstepPlanner::restart(const std::array<Foothold, 2>& feet) {
-  path_.p = 0.5 * (feet[kLeft].p + feet[kRight].p);
-}
+void FootstepPlanner::restart(const std::array<Foothold, 2>& feet) { path_.p = 0.5 * (feet[kLeft].p + feet[kRight].p); }
 
 void FootstepPlanner::advance(double t, const Vec2& com) {
   path_ = moved(path_, plan_->travel(t_, t));
@@ -89,8 +88,8 @@ double FootstepPlanner::stretch(const Foothold& landed, Side side, const Foothol
                                 double sway) const {
   const Foothold middle = moved(path_, plan_->travel(t_, t_mid));
   const Vec2 over = landed.p - lifting.p, v_plan = plan_->velocity(t_mid).head<2>();
-  const Vec2 moves = 0.5 * T_ds * (v_plan.x() * ahead_of(middle.yaw) + v_plan.y() * left_of(middle.yaw) +
-                                   sway * over.normalized());
+  const Vec2 moves =
+      0.5 * T_ds * (v_plan.x() * ahead_of(middle.yaw) + v_plan.y() * left_of(middle.yaw) + sway * over.normalized());
   const auto from_hip = [&](const Foothold& foot, Side of, const Vec2& move) {
     return (foot.p - move - moved(middle, {0.0, 0.5 * side_sign(of) * settings_.step_width, 0.0}).p).norm();
   };
@@ -101,13 +100,14 @@ bool FootstepPlanner::close(Side swing, const Foothold& stance, double xi) {
   const Foothold beside = moved(stance, {0.0, side_sign(swing) * settings_.step_width, 0.0});
   const double aside = (planned(swing, t_, 0.0).p - beside.p).dot(left_of(path_.yaw));
   const double missed = std::hypot(xi, aside);
-  closing_ = missed <= settings_.closing_reach && std::abs(wrap_angle(path_.yaw - stance.yaw)) <= settings_.closing_turn;
+  closing_ =
+      missed <= settings_.closing_reach && std::abs(wrap_angle(path_.yaw - stance.yaw)) <= settings_.closing_turn;
   if (closing_) nominal_ = target_ = beside;
   return closing_;
 }
 
-const Foothold& FootstepPlanner::update(double ahead_of_plan, double aside, double t_mid, double period,
-                                        double share, double dt) {
+const Foothold& FootstepPlanner::update(double ahead_of_plan, double aside, double t_mid, double period, double share,
+                                        double dt) {
   if (closing_ || settings_.footsteps != Footsteps::kTied || share > settings_.foothold_freeze) return target_;
   Foothold wanted = planned(swing_, t_mid, period);
   const Vec2 ahead = ahead_of(wanted.yaw), left = left_of(wanted.yaw);
@@ -124,6 +124,7 @@ const Foothold& FootstepPlanner::update(double ahead_of_plan, double aside, doub
 
 double FootstepPlanner::mismatch(double duration, const Cadence& cadence) const {
   if (settings_.step_lengths.empty() || settings_.footsteps == Footsteps::kTied) return 0.0;
+  require_positive("duration", duration);
   const double slow = cadence.slow.period();
   double worst = 0.0, previous = 0.0, t = 0.0;
   for (int n = 0;; ++n) {

@@ -31,8 +31,8 @@ double ForwardOrbit::acceleration(double x) const {
 double ForwardOrbit::ahead(double t) const {
   if (half_ <= reach_) return 0.0;
   const double rolls = reach_ / std::abs(v_0_), after = std::abs(t) - rolls;
-  const double x = after > 0.0 ? std::min(reach_ + Tc_ * std::abs(v_0_) * std::sinh(after / Tc_), half_)
-                               : std::abs(v_0_ * t);
+  const double x =
+      after > 0.0 ? std::min(reach_ + Tc_ * std::abs(v_0_) * std::sinh(after / Tc_), half_) : std::abs(v_0_ * t);
   return std::copysign(x, v_ * t) - v_ * t;
 }
 

@@ -24,8 +24,9 @@ Vec2 reference_zmp(const GaitOutput& gait, const LinearInvertedPendulum& pendulu
   if (gait.at_rest) return gait.zmp_rest;
   const Vec2 ahead = ahead_of(gait.heading);
   const double x = (com - gait.origin).dot(ahead), from_middle = x - gait.orbit_middle;
-  const double a = gait.orbit.acceleration(from_middle) +
-                   tracker.acceleration(gait.orbit.velocity(from_middle) + gait.dv_capture, dcom.dot(ahead), gait.orbit_ahead);
+  const double a =
+      gait.orbit.acceleration(from_middle) +
+      tracker.acceleration(gait.orbit.velocity(from_middle) + gait.dv_capture, dcom.dot(ahead), gait.orbit_ahead);
   const double r = pendulum.reference_for(x, a);
   // What is beyond the bounds must not lean sideways where the sole points elsewhere than the walk.
   const double inside = std::clamp(r, gait.room.lower.x(), gait.room.upper.x());
@@ -185,7 +186,7 @@ const GaitOutput& GaitGenerator::update_steps(const GaitInput& in) {
     const Vec2 middle = 0.5 * (in.p_sole[kLeft] + in.p_sole[kRight]).head<2>();
     const Vec2 xi = in.com + pendulum_.Tc() * in.dcom;
     out_.zmp_rest = xi + settings_.stand_gain * (xi - middle);
-    out_.orbit_ahead = 0.0;
+    out_.orbit_ahead = out_.dv_capture = 0.0;
   } else {
     move_ahead(in);
     move_sideways(in);
@@ -232,9 +233,11 @@ ZmpBounds GaitGenerator::room(const GaitInput& in) const {
 void GaitGenerator::capture(const GaitInput& in) {
   const double time = out_.phase.to_mid_double, t_mid = in.t + time, slope = time + pendulum_.Tc();
   const double length = plan_.displacement(t_mid, t_mid + period_).x();
-  const double v_s = orbit({length / period_, 0.0, 0.0}, period_, true).end_velocity();
-  xi_start_ = settings_.com_lead - 0.5 * length + pendulum_.Tc() * v_s;
-  xi_next_ = pendulum_.dcm(roll_out(in, time));
+  v_start_ = orbit({length / period_, 0.0, 0.0}, period_, true).end_velocity();
+  xi_start_ = settings_.com_lead - 0.5 * length + pendulum_.Tc() * v_start_;
+  const PendulumState next = roll_out(in, time);
+  xi_next_ = pendulum_.dcm(next);
+  v_next_ = next.v;
   if (settings_.footsteps != Footsteps::kTied) return;
   // One step of Newton's a cycle: a COM faster by dv is dv time further then, and its DCM dv (time + T_c).
   const double planned = footsteps_.lead(out_.phase.step, t_mid, period_) + xi_start_, reach = settings_.capture_reach;
@@ -247,7 +250,9 @@ double GaitGenerator::ahead_of_plan(const GaitInput& in) const {
   const double t_mid = in.t + out_.phase.to_mid_double;
   const double planned = (in.com - out_.origin).dot(ahead_of(out_.heading)) + plan_.displacement(in.t, t_mid).x() +
                          0.5 * plan_.displacement(t_mid, t_mid + period_).x() - settings_.com_lead;
-  return xi_next_ - xi_start_ - planned;
+  // An excess speed, up to this, is left to the ZMP over that foot: taken up by the foothold, a long step would make the next one short.
+  const double excess = pendulum_.Tc() * (v_next_ - v_start_), give = settings_.foothold_give;
+  return xi_next_ - xi_start_ - planned - std::clamp(excess, give * out_.room.lower.x(), give * out_.room.upper.x());
 }
 
 PendulumState GaitGenerator::roll_out(const GaitInput& in, double time) const {
@@ -258,10 +263,13 @@ PendulumState GaitGenerator::roll_out(const GaitInput& in, double time) const {
   const Vec2 ahead = ahead_of(out_.heading);
   const PendulumState now{(in.com - out_.origin).dot(ahead), in.dcom.dot(ahead)};
   double xi = now.x + Tc * now.v, mirror = now.x - Tc * now.v;
+  const bool smooth = plan_.smooth(in.t, in.t + time);
+  const double v_now = out_.v_plan.x(), slope = smooth ? (plan_.velocity(in.t + time).x() - v_now) / time : 0.0;
   for (int k = 0; k < kPieces; ++k) {
     // as it is in the middle of the piece
     const double v = (xi - mirror) / (2.0 * Tc), x = 0.5 * (xi + mirror + dt * v), from_middle = x - out_.orbit_middle;
-    const double dv = plan_.velocity(in.t + (k + 0.5) * dt).x() - out_.v_plan.x() + in.catch_up + out_.dv_capture;
+    const double t = (k + 0.5) * dt, faster = smooth ? slope * t : plan_.velocity(in.t + t).x() - v_now;
+    const double dv = faster + in.catch_up + out_.dv_capture;
     const double a = out_.orbit.acceleration(from_middle) + catch_up * (out_.orbit.velocity(from_middle) + dv - v);
     const double r = std::clamp(pendulum_.reference_for(x, a), out_.room.lower.x(), out_.room.upper.x());
     xi = r + (xi - r) * grow;
@@ -293,8 +301,7 @@ void GaitGenerator::move_sideways(const GaitInput& in) {
   // The orbit's DCM in the middle of the next double support, for a foot that lands at `there`; before a stand, half way to it.
   const auto xi_end = [&](const Vec2& there) {
     if (closing_) return 0.5 * across(there);
-    return across(there) +
-           side_sign(out_.support) * pendulum_.orbit_inset(footsteps_.width(drift), period_) +
+    return across(there) + side_sign(out_.support) * pendulum_.orbit_inset(footsteps_.width(drift), period_) +
            pendulum_.orbit_offset(drift, period_);
   };
   if (single) {
@@ -305,14 +312,14 @@ void GaitGenerator::move_sideways(const GaitInput& in) {
                  footsteps_.close(out_.swing, foot, xi_next_);
     }
     const double aside = lateral_.miss(pendulum_, xi, xi_end(footsteps_.planned(out_.swing, t_mid, period_).p), time);
-    out_.foothold = footsteps_.update(ahead_of_plan(in), aside, t_mid, period_,
-                                      out_.phase.time / out_.phase.duration, dt);
+    out_.foothold =
+        footsteps_.update(ahead_of_plan(in), aside, t_mid, period_, out_.phase.time / out_.phase.duration, dt);
   }
   if (lateral_.awaits_switch()) {
     if (single) return;
     const bool last = out_.phase.time + 1.5 * dt >= out_.phase.duration;
-    const double w_orbit = pendulum_.orbit_velocity(footsteps_.drift(in.t, schedule_.times().period()),
-                                                    schedule_.times().period());
+    const double w_orbit =
+        pendulum_.orbit_velocity(footsteps_.drift(in.t, schedule_.times().period()), schedule_.times().period());
     out_.w_T = lateral_.check_switch(pendulum_, y, 0.0, across(in.p_sole[to].head<2>()), out_.phase.to_mid_single,
                                      w_orbit, dt, last);
     return;

@@ -59,26 +59,31 @@ Vec3 VelocityProfile::displacement(double t0, double t1) const { return integral
 
 Vec3 VelocityProfile::travel(double t0, double t1) const {
   const Vec3 before = integral(t0), straight = integral(t1) - before;
+  if (!turns(t0, t1)) return straight;
   // Pieces of about kPiece turn by little: each moves along the heading in its middle.
   constexpr double kPiece = 0.1;  // [s]; at 0.5 rad/s a piece's chord is its arc within 1e-4
   const int pieces = static_cast<int>(std::ceil((t1 - t0) / kPiece));
   Vec3 out(0.0, 0.0, straight.z()), last = before;
-  bool turns = false;
   for (int k = 1; k <= pieces; ++k) {
     const double t = t0 + k * (t1 - t0) / pieces;
     const Vec3 now = integral(t);
     const double yaw = 0.5 * (last.z() + now.z()) - before.z();
-    turns = turns || now.z() != last.z();
     const double c = std::cos(yaw), s = std::sin(yaw), dx = now.x() - last.x(), dy = now.y() - last.y();
     out.x() += c * dx - s * dy;
     out.y() += s * dx + c * dy;
     last = now;
   }
-  return turns ? out : straight;
+  return out;
+}
+
+bool VelocityProfile::turns(double t0, double t1) const {
+  for (std::size_t first = segment(t0), i = first; i < t_.size() && (i == first || t_[i] < t1); ++i)
+    if (v_[i].z() != 0.0 || end_[i].z() != 0.0) return true;
+  return false;
 }
 
 bool VelocityProfile::at_rest(double t0, double t1) const {
-  for (std::size_t i = segment(t0); i < t_.size() && (i == segment(t0) || t_[i] < t1); ++i)
+  for (std::size_t first = segment(t0), i = first; i < t_.size() && (i == first || t_[i] < t1); ++i)
     if (!v_[i].isZero(0.0) || !end_[i].isZero(0.0)) return false;
   return true;
 }
@@ -90,8 +95,10 @@ double VelocityProfile::max_speed() const {
 }
 
 void VelocityProfile::append(double t, const Vec3& v, const Vec3& end, double length) {
-  if (!t_.empty()) sum_.push_back(sum_.back() + 0.5 * (t - t_.back()) * (v_.back() + end_.back()));
-  else sum_.push_back(Vec3::Zero());
+  if (!t_.empty())
+    sum_.push_back(sum_.back() + 0.5 * (t - t_.back()) * (v_.back() + end_.back()));
+  else
+    sum_.push_back(Vec3::Zero());
   t_.push_back(t);
   v_.push_back(v);
   end_.push_back(std::isinf(length) ? v : end);

@@ -30,9 +30,10 @@ struct SoleSize {
 /// the path's heading there. Lengths are leads over the stance foot: a list of the user's or the paper's, or from the profile.
 /// Along the heading, the anchor is the measured stance foot ("paper", "printed", "list"), the plan itself ("absolute"), or the
 /// COM ("tied"): x_T = x + L/2 - com_lead + T_c (v - v_s), for the state x, v that the pendulum, its ZMP inside the bounds, will have in
-/// the middle of the next double support, and the steady walk's v_s there: that walk then begins with its own DCM. Clamped about the
-/// nominal foothold and low-passed, until `foothold_freeze` of the single support. Sideways it is the path, and what the DCM will be
-/// off its orbit. Feet never come closer than the soles' corners and `foot_clearance` allow.
+/// the middle of the next double support, and the steady walk's v_s there: that walk then begins with its own DCM. Of the last term what is
+/// within `foothold_give` of the bounds is left to the ZMP. Clamped about the nominal foothold and low-passed, until `foothold_freeze` of
+/// the single support. Sideways it is the path, and what the DCM will be off its orbit. Feet never come closer than the soles' corners and
+/// `foot_clearance` allow.
 class FootstepPlanner {
  public:
   /// @param settings resolved   @param plan must outlive the planner   @param sole the larger of both
@@ -71,7 +72,8 @@ class FootstepPlanner {
   const Foothold& target() const { return target_; }
   /// How far the foot is from below its hip that is farther, as a double support, with its middle at `t_mid` and `T_ds` long, begins
   /// (foot `side`, which lands) or ends (the one that lifts) [m]. @param sway speed of the COM from foot to foot there [m/s]
-  double stretch(const Foothold& landed, Side side, const Foothold& lifting, double t_mid, double T_ds, double sway) const;
+  double stretch(const Foothold& landed, Side side, const Foothold& lifting, double t_mid, double T_ds,
+                 double sway) const;
 
   /// Largest difference between the speed of the feet and the planned one in the steps of `duration` [s] -> [m/s]; 0 where the profile
   /// sets the steps.

@@ -31,11 +31,11 @@ struct GaitOutput {
   Side support = kLeft;  ///< foot that carries the ZMP
   Side swing = kRight;   ///< foot of this step that swings, or will
   std::array<bool, 2> standing{true, true};
-  Vec2 origin = Vec2::Zero();    ///< of the support frame S: support sole's centre, W [m]
-  double yaw = 0.0;              ///< of S: the support sole's heading in W [rad]
-  double heading = 0.0;          ///< of the walk, H: that of the path in W [rad]
-  Vec3 v_plan = Vec3::Zero();    ///< planned velocity (v_x, v_y, w_z) in H
-  ZmpBounds room;                ///< where the ZMP may be, in S: inside the support sole; sideways, two feet hold it all between them
+  Vec2 origin = Vec2::Zero();  ///< of the support frame S: support sole's centre, W [m]
+  double yaw = 0.0;            ///< of S: the support sole's heading in W [rad]
+  double heading = 0.0;        ///< of the walk, H: that of the path in W [rad]
+  Vec3 v_plan = Vec3::Zero();  ///< planned velocity (v_x, v_y, w_z) in H
+  ZmpBounds room;  ///< where the ZMP may be, in S: inside the support sole; sideways, two feet hold it all between them
   ForwardOrbit orbit;            ///< over the support foot, at the planned velocity
   double orbit_middle = 0.0;     ///< its middle, from `origin` along H's x [m]
   double dv_capture = 0.0;       ///< speed beside the orbit's that leaves the DCM where the next step catches it [m/s]
@@ -44,8 +44,8 @@ struct GaitOutput {
   Vec2 zmp_rest = Vec2::Zero();  ///< at rest: reference ZMP, W [m]
   double w_T = kNaN;             ///< Eq. 18 in double support before the switch [m/s], else NaN
   Foothold foothold;             ///< of the swing foot; NaN in double support
-  double stretch = 0.0;          ///< how far an ankle will be from below its hip around this double support, or the next [m]
-  SwingTarget swing_target;      ///< meaningful in single support
+  double stretch = 0.0;  ///< how far an ankle will be from below its hip around this double support, or the next [m]
+  SwingTarget swing_target;  ///< meaningful in single support
 };
 
 /// Reference ZMP of the smooth law for the COM state `com`, `dcom`, W (2,) [m]: along H's x what `tracker` asks of the pendulum, along
@@ -91,6 +91,7 @@ class GaitGenerator {
   void move_sideways(const GaitInput& in);
   ZmpBounds room(const GaitInput& in) const;
   ZmpBounds sole_room(const Vec3& velocity) const;  // of the support foot alone
+  /// The ZMP may go as far as the sole reaches on its longer side; `end`: as far as it does at the end of a stance.
   ForwardOrbit orbit(const Vec3& velocity, double period, bool end = false) const;
   /// COM along the heading in the middle of the next double support, `time` [s] away, as the pendulum under the smooth tracker has it,
   /// its ZMP inside the bounds of the support sole; from that sole's centre [m].
@@ -112,11 +113,12 @@ class GaitGenerator {
   LinearInvertedPendulum pendulum_;
   std::array<ZmpBounds, 2> bounds_;
   GaitOutput out_;
-  double xi_next_ = 0.0;    // DCM in the middle of the next double support, from the support foot along the heading [m]
-  double xi_start_ = 0.0;   // where the steady walk over the next foot has it then, from that foot [m]
-  bool lifted_ = false;     // a single support began with this cycle
-  bool closing_ = false;    // this step ends beside the stance foot
-  double period_ = 0.0;     // of the step after this [s]
+  // Speed and DCM in the middle of the next double support, from the support foot along the heading [m/s, m]; and as the steady walk over
+  // the next foot has them then, from that foot.
+  double v_next_ = 0.0, xi_next_ = 0.0, v_start_ = 0.0, xi_start_ = 0.0;
+  bool lifted_ = false;   // a single support began with this cycle
+  bool closing_ = false;  // this step ends beside the stance foot
+  double period_ = 0.0;   // of the step after this [s]
   Vec3 command_, allowance_;
   bool commanded_ = false;
   double t_command_ = 0.0;

@@ -35,6 +35,9 @@ class VelocityProfile {
   Vec3 displacement(double t0, double t1) const;  ///< integral of the velocity from t0 to t1 (3,) [m, m, rad]
   /// Where a frame that moves with this velocity is at t1, seen from where it is at t0: (x, y, yaw) [m, m, rad].
   Vec3 travel(double t0, double t1) const;
+  bool smooth(double t0, double t1) const {
+    return segment(t0) == segment(t1);
+  }                                          ///< no knot lies between t0 and t1 [s]
   bool at_rest(double t0, double t1) const;  ///< the velocity is zero from t0 to t1 [s]
   double max_speed() const;                  ///< largest |(v_x, v_y)| [m/s]
 
@@ -53,6 +56,7 @@ class VelocityProfile {
   VelocityProfile() = default;
   std::size_t segment(double t) const;
   Vec3 integral(double t) const;
+  bool turns(double t0, double t1) const;
   /// Appends a segment from (t, v), linear to `end` at t + length.
   void append(double t, const Vec3& v, const Vec3& end, double length);
   void follow(double t, double length, const Vec3& from, const Vec3& to, const VelocityLimits& limits, Vec3& v,
