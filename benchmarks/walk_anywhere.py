@@ -19,7 +19,7 @@ from zmpwalk import InputError, VelocityProfile, analysis, plot
 
 # Speed [m/s] -> largest 95th percentile of |estimated ZMP - CoP| [mm], x and y; beyond, every 0.1 m/s until a fall.
 LADDER = {0.25: 2.0, 0.35: 2.0, 0.45: 2.0, 0.6: 5.0, 0.8: 10.0}
-GOAL, RUNG, RAMP, STEADY = 1.0, 0.1, 1 / 6, 30.0  # [m/s], [m/s], [m/s^2], [s]
+RUNG, RAMP, STEADY = 0.1, 1 / 6, 30.0  # [m/s], [m/s^2], [s]
 LARGEST_MEDIAN, LARGEST_SPEED_ERROR = 0.05, 0.5  # of |estimated ZMP - CoP| [mm]; of the mean speed [%]
 DIRECTIONS = {
     "backward": (-0.3, 0, 0), "to the left": (0, 0.15, 0), "to the right": (0, -0.15, 0),

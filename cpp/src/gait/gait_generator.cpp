@@ -211,10 +211,7 @@ void GaitGenerator::move_ahead(const GaitInput& in) {
   out_.orbit = orbit(out_.v_plan, period);
   out_.orbit_middle = settings_.com_lead;
   out_.orbit_ahead = out_.orbit.ahead(std::clamp(since_middle, -half, half));
-  if (lateral_.awaits_switch())
-    out_.dv_capture = 0.0;
-  else
-    capture(in);
+  capture(in, before_switch);
 }
 
 ForwardOrbit GaitGenerator::orbit(const Vec3& velocity, double period, bool end) const {
@@ -230,17 +227,27 @@ ZmpBounds GaitGenerator::room(const GaitInput& in) const {
   return out.widened(bounds_[there], (in.p_sole[there].head<2>() - out_.origin).dot(left_of(out_.yaw)));
 }
 
-void GaitGenerator::capture(const GaitInput& in) {
-  const double time = out_.phase.to_mid_double, t_mid = in.t + time, slope = time + pendulum_.Tc();
-  const double length = plan_.displacement(t_mid, t_mid + period_).x();
-  v_start_ = orbit({length / period_, 0.0, 0.0}, period_, true).end_velocity();
+void GaitGenerator::capture(const GaitInput& in, bool before_switch) {
+  // The next foot to take over: the one that swings, or one that has landed.
+  const double dt = settings_.control_dt, period = before_switch ? schedule_.times().period() : period_;
+  const double time =
+      before_switch ? std::max(0.5 * out_.phase.duration - out_.phase.time, dt) : out_.phase.to_mid_double;
+  const double t_mid = in.t + time, slope = time + pendulum_.Tc(),
+               length = plan_.displacement(t_mid, t_mid + period).x();
+  v_start_ = orbit({length / period, 0.0, 0.0}, period, true).end_velocity();
   xi_start_ = settings_.com_lead - 0.5 * length + pendulum_.Tc() * v_start_;
   const PendulumState next = roll_out(in, time);
   xi_next_ = pendulum_.dcm(next);
   v_next_ = next.v;
   if (settings_.footsteps != Footsteps::kTied) return;
   // One step of Newton's a cycle: a COM faster by dv is dv time further then, and its DCM dv (time + T_c).
-  const double planned = footsteps_.lead(out_.phase.step, t_mid, period_) + xi_start_, reach = settings_.capture_reach;
+  const bool decided = out_.phase.phase == Phase::kSingleSupport &&
+                       (closing_ || out_.phase.time > settings_.foothold_freeze * out_.phase.duration);
+  const Vec2 ahead = ahead_of(out_.heading);
+  const double foot = before_switch ? (in.p_sole[other(out_.support)].head<2>() - out_.origin).dot(ahead)
+                      : decided     ? (footsteps_.target().p - out_.origin).dot(ahead)
+                                    : footsteps_.lead(out_.phase.step, t_mid, period);
+  const double planned = foot + xi_start_, reach = settings_.capture_reach;
   const double alone = xi_next_ - slope * out_.dv_capture;
   const double dv = out_.dv_capture + (std::clamp(alone, planned - reach, planned + reach) - xi_next_) / slope;
   out_.dv_capture = std::clamp(dv, -settings_.capture_speed, settings_.capture_speed);

@@ -96,7 +96,7 @@ class GaitGenerator {
   /// COM along the heading in the middle of the next double support, `time` [s] away, as the pendulum under the smooth tracker has it,
   /// its ZMP inside the bounds of the support sole; from that sole's centre [m].
   PendulumState roll_out(const GaitInput& in, double time) const;
-  void capture(const GaitInput& in);
+  void capture(const GaitInput& in, bool before_switch);
   /// How much further than planned the next foot has to stand, so that the steady walk begins there [m].
   double ahead_of_plan(const GaitInput& in) const;
   double stretch(const GaitInput& in) const;
