@@ -491,7 +491,7 @@ BOOST_AUTO_TEST_CASE(speed_yields_where_the_com_is_shifted_and_leaves_the_next_s
   const double yields = settings().capture_speed;
   const Missed ahead = missed(0.08, yields), behind = missed(-0.05, yields), near = missed(0.01, yields);
   BOOST_CHECK_LT(ahead.dcm, 0.5 * missed(0.08, 0.0).dcm);
-  BOOST_CHECK_LT(behind.dcm, missed(-0.05, 0.0).dcm);  // the ZMP is at the heel already
+  CHECK_NEAR(behind.dcm, missed(-0.05, 0.0).dcm, 1e-9);  // the ZMP is at the heel already: there is nothing to gain
   for (const Missed& far : {ahead, behind}) {
     BOOST_CHECK_GT(far.against, 0.01);
     CHECK_NEAR(far.along, 0.0, kRounding);
@@ -499,7 +499,7 @@ BOOST_AUTO_TEST_CASE(speed_yields_where_the_com_is_shifted_and_leaves_the_next_s
   CHECK_NEAR(near.against + near.along, 0.0, kRounding);  // within capture_reach: the next foot takes it all
 }
 
-BOOST_AUTO_TEST_CASE(speed_yields_by_no_more_than_capture_speed_and_not_before_the_switch) {
+BOOST_AUTO_TEST_CASE(speed_yields_by_no_more_than_capture_speed) {
   const WalkSettings s = settings();
   PointWalk walk(s, 0.0, steady(0.6));
   walk.run_until(8.0);
@@ -507,7 +507,6 @@ BOOST_AUTO_TEST_CASE(speed_yields_by_no_more_than_capture_speed_and_not_before_t
   double most = 0.0;
   while (walk.in.t < 12.0) {
     const GaitOutput& out = walk.step();
-    if (!std::isnan(out.w_T)) BOOST_CHECK_EQUAL(out.dv_capture, 0.0);  // eq. 18: the switch is still to come
     most = std::max(most, std::abs(out.dv_capture));
   }
   BOOST_CHECK_GT(most, kRounding);
