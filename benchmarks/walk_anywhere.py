@@ -184,7 +184,8 @@ def ladder(run):
             within = kept if m["saturated"] == 0 else within
         median = LARGEST_MEDIAN if speed in LADDER else math.inf
         rows.append((
-            f"{speed:g}", result(m["fell"]), marked("–" if math.isnan(off) else f"{off:+.2f}", not abs(off) > LARGEST_SPEED_ERROR),
+            f"{speed:g}", result(m["fell"]),
+            marked("–" if math.isnan(off) else f"{off:+.2f}", not abs(off) > LARGEST_SPEED_ERROR),
             marked(pair(m["median"]), not max(m["median"]) > median),
             marked(pair(m["p95"]), not max(m["p95"]) > limit), "" if math.isinf(limit) else f"{limit:g}",
             marked(f"{m['torque']:.0f}", m["saturated"] == 0), str(m["saturated"]),
@@ -194,8 +195,8 @@ def ladder(run):
             break
     header = ("m/s", "result", "speed error, %", "estimate − CoP, median mm", "p95 mm", "limit of p95",
               "largest torque, %", "cycles at a limit", "step, m / s")  # fmt: skip
-    last = f"Highest speed that is kept for {STEADY:g} s: {kept:g} m/s; with every torque within its limit: {within:g} m/s."
-    return [*table(header, rows), "", last]
+    last = f"Highest speed that is kept for {STEADY:g} s: {kept:g} m/s; with every torque within its limit: "
+    return [*table(header, rows), "", f"{last}{within:g} m/s."]
 
 
 def directions(run):

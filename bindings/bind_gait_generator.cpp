@@ -7,8 +7,8 @@ namespace {
 
 /// A gait with the pendulum and the settings of its robot.
 struct PyGait {
-  PyGait(double com_height, double gravity, double timestep, double foot_distance, double sole_width, double sole_length,
-         const VelocityProfile& p, const WalkSettings& s)
+  PyGait(double com_height, double gravity, double timestep, double foot_distance, double sole_width,
+         double sole_length, const VelocityProfile& p, const WalkSettings& s)
       : sole(sole_length, sole_width),
         pendulum(com_height, gravity),
         settings(resolve(s, scale(com_height, gravity, timestep, foot_distance))),

@@ -90,10 +90,10 @@ void bind_walking_controller(py::module_& m) {
           "Raises:\n    InputError: the state is not finite, its terms belong to another, or reset() was not called; "
           "nothing is\n        changed.")
       .def(
-          "command",
-          [](WalkingController& c, double vx, double vy, double wz) { c.command(Vec3(vx, vy, wz)); }, "vx"_a,
+          "command", [](WalkingController& c, double vx, double vy, double wz) { c.command(Vec3(vx, vy, wz)); }, "vx"_a,
           "vy"_a = 0.0, "wz"_a = 0.0, py::call_guard<py::gil_scoped_release>(),
-          "From the next cycle on, walk with (vx, vy, wz) in the heading frame instead of the profile's velocity; until "
+          "From the next cycle on, walk with (vx, vy, wz) in the heading frame instead of the profile's velocity; "
+          "until "
           "reset().\n\n"
           "May be called from any thread, at any time. What the legs cannot reach is scaled down to "
           "`within_reach`; how fast the\nrobot takes a command up is limited (settings forward_jump, "
@@ -132,8 +132,7 @@ void bind_walking_controller(py::module_& m) {
       .def_property_readonly("Tc", &WalkingController::Tc, "sqrt(z_c / g) [s]")
       .def("knee_share", &WalkingController::knee_share, "speed"_a,
            "Share of the knee's torque limit that its own rotor and damping take at lift-off, walking at speed [m/s].")
-      .def_property_readonly("speed_limit", &WalkingController::speed_limit,
-                             "largest v_x that the legs reach [m/s]")
+      .def_property_readonly("speed_limit", &WalkingController::speed_limit, "largest v_x that the legs reach [m/s]")
       .def("plan_mismatch", &WalkingController::plan_mismatch, "duration"_a,
            "Largest speed of the footsteps minus the planned one within `duration` [s]; 0 where steps follow the "
            "profile [m/s].")

@@ -70,25 +70,26 @@ class WalkSettings:
             T_ds_first: first double support; NaN: computed so that the lateral orbit starts symmetric [s]. Default nan.
             first_swing: foot that swings first, 'right' or 'left'. Default 'right'.
             cadence_speed: speed up to which steps take T_ds + T_ss and grow longer; NaN: 0.1 of sqrt(g COM height) [m/s]. Default nan.
-            cadence_exponent: above it, steps take (cadence_speed / speed)^cadence_exponent of that; 0: always the same. Default 0.4.
+            cadence_exponent: above it, steps take (cadence_speed / speed)^cadence_exponent of that; 0: always the same; NaN: 0.4, and 0 where a list sets the lengths. Default nan.
             cadence_double: and the double support's share of a step goes as (cadence_speed / speed)^cadence_double. Default 0.5.
             cadence_sideways: what 1 m/s sideways counts as forward, for the cadence. Default 3.0.
             cadence_turning: what 1 rad/s counts as forward, for the cadence; NaN: 0.54 of the COM height [m/rad]. Default nan.
             stand: stand, feet side by side, while the profile is zero; False: step on the spot. Default True.
             stand_gain: standing: how far the ZMP goes beyond the DCM, per distance from the middle. Default 1.0.
-            closing_reach: the last step goes beside the stance foot where the COM will rest this near; NaN: 0.06 of the COM height [m]. Default nan.
+            closing_reach: the last step goes beside the stance foot where the DCM will be this near; NaN: 0.1 of the COM height [m]. Default nan.
             closing_turn: and where the headings of path and stance foot differ by no more [rad]. Default 0.05.
             rate_limit: limit how fast the planned velocity changes; False: take profiles as they are. Default True.
             forward_jump: change of v_x that passes at once; NaN: 0.036 of sqrt(g COM height) [m/s]. Default nan.
             sideways_jump: change of v_y that passes at once; NaN: 0.03 of sqrt(g COM height) [m/s]. Default nan.
             turning_jump: change of w_z that passes at once; NaN: 0.07 / T_c [rad/s]. Default nan.
             forward_acceleration: at which v_x grows beyond that; NaN: 0.02 g [m/s^2]. Default nan.
-            forward_deceleration: at which v_x goes back to zero; NaN: 0.046 g [m/s^2]. Default nan.
+            forward_deceleration: at which v_x goes back to zero; NaN: 0.056 g [m/s^2]. Default nan.
             sideways_acceleration: at which v_y follows beyond that; NaN: 0.025 g [m/s^2]. Default nan.
             turning_acceleration: at which w_z follows beyond that; NaN: 0.08 / T_c^2 [rad/s^2]. Default nan.
             tracker: velocity tracker: 'smooth' or 'bang_bang' (III-C as printed). Default 'smooth'.
             tracker_gain: smooth tracker: speed asked for per metre of integrated error; NaN: 1.38 / T_c [1/s]. Default nan.
             tracker_time: smooth tracker: time in which a speed error is removed; NaN: 0.18 T_c [s]. Default nan.
+            tracker_reach: smooth tracker: largest speed beside the planned one that removes an integrated error; NaN: 0.03 of sqrt(g COM height) [m/s]. Default nan.
             tracker_deadband: bang-bang tracker: integrated error that counts as zero before a drive starts [m]. Default 0.0002.
             zmp_modification: keep the estimated ZMP inside its bounds (III-B, III-C); False: track v_plan blindly. Default True.
             iteration: how the reference ZMP is found: 'closed_form' or 'loop' (III-B), or 'none': the desired ZMP as the pendulum has it, the estimate changes nothing. Default 'closed_form'.
@@ -117,10 +118,13 @@ class WalkSettings:
             step_width: lateral distance of the feet; NaN: as they stand at the start [m]. Default nan.
             foot_clearance: least distance of the soles' edges sideways; NaN: 0.03 of the COM height [m]. Default nan.
             step_height: height of the swing foot; NaN: 0.0535 of the COM height, less (to 0.01) where the knee's rotor and damping would take over 0.6 of its torque at the profile's top speed [m]. Default nan.
-            foothold_reach: tied footholds: largest distance from the nominal foothold; NaN: 0.11 of the COM height [m]. Default nan.
+            foothold_reach: tied footholds: largest distance from the nominal foothold; NaN: 0.25 of the COM height [m]. Default nan.
             com_lead: tied footholds: how far the COM rides ahead of the middle of the feet, so that a foot is not loaded on its heel; NaN: 0.0134 of the COM height [m]. Default nan.
             foothold_time: tied footholds: time constant of the low-pass on the target; NaN: 0.18 T_c [s]. Default nan.
+            foothold_give: tied footholds: an excess speed moves the DCM; up to this share of the bounds the ZMP of the next stance takes it up, what is more moves the foothold. Default 0.3.
             foothold_freeze: tied footholds: share of the single support after which the target stands. Default 0.7.
+            capture_reach: tied footholds: how far the DCM may be from where the plan has it as the next foot takes over: beyond, the COM's speed yields; NaN: 0.07 of the COM height [m]. Default nan.
+            capture_speed: by how much it yields at most; NaN: 0.2 of sqrt(g COM height) [m/s]. Default nan.
             swing_feed_forward: add the spline's acceleration to the swing foot's task. Default True.
             swing_kp: swing foot, position and orientation [1/s^2]. Default nan.
             swing_kd: swing foot, position and orientation [1/s]. Default nan.
@@ -203,7 +207,7 @@ class WalkSettings:
     @property
     def cadence_exponent(self) -> typing.Any:
         """
-        above it, steps take (cadence_speed / speed)^cadence_exponent of that; 0: always the same
+        above it, steps take (cadence_speed / speed)^cadence_exponent of that; 0: always the same; NaN: 0.4, and 0 where a list sets the lengths
         """
     @cadence_exponent.setter
     def cadence_exponent(self, arg1: typing.Any) -> None: ...
@@ -229,9 +233,23 @@ class WalkSettings:
     @cadence_turning.setter
     def cadence_turning(self, arg1: typing.Any) -> None: ...
     @property
+    def capture_reach(self) -> typing.Any:
+        """
+        tied footholds: how far the DCM may be from where the plan has it as the next foot takes over: beyond, the COM's speed yields; NaN: 0.07 of the COM height [m]
+        """
+    @capture_reach.setter
+    def capture_reach(self, arg1: typing.Any) -> None: ...
+    @property
+    def capture_speed(self) -> typing.Any:
+        """
+        by how much it yields at most; NaN: 0.2 of sqrt(g COM height) [m/s]
+        """
+    @capture_speed.setter
+    def capture_speed(self, arg1: typing.Any) -> None: ...
+    @property
     def closing_reach(self) -> typing.Any:
         """
-        the last step goes beside the stance foot where the COM will rest this near; NaN: 0.06 of the COM height [m]
+        the last step goes beside the stance foot where the DCM will be this near; NaN: 0.1 of the COM height [m]
         """
     @closing_reach.setter
     def closing_reach(self, arg1: typing.Any) -> None: ...
@@ -383,9 +401,16 @@ class WalkSettings:
     @foothold_freeze.setter
     def foothold_freeze(self, arg1: typing.Any) -> None: ...
     @property
+    def foothold_give(self) -> typing.Any:
+        """
+        tied footholds: an excess speed moves the DCM; up to this share of the bounds the ZMP of the next stance takes it up, what is more moves the foothold
+        """
+    @foothold_give.setter
+    def foothold_give(self, arg1: typing.Any) -> None: ...
+    @property
     def foothold_reach(self) -> typing.Any:
         """
-        tied footholds: largest distance from the nominal foothold; NaN: 0.11 of the COM height [m]
+        tied footholds: largest distance from the nominal foothold; NaN: 0.25 of the COM height [m]
         """
     @foothold_reach.setter
     def foothold_reach(self, arg1: typing.Any) -> None: ...
@@ -413,7 +438,7 @@ class WalkSettings:
     @property
     def forward_deceleration(self) -> typing.Any:
         """
-        at which v_x goes back to zero; NaN: 0.046 g [m/s^2]
+        at which v_x goes back to zero; NaN: 0.056 g [m/s^2]
         """
     @forward_deceleration.setter
     def forward_deceleration(self, arg1: typing.Any) -> None: ...
@@ -674,6 +699,13 @@ class WalkSettings:
         """
     @tracker_gain.setter
     def tracker_gain(self, arg1: typing.Any) -> None: ...
+    @property
+    def tracker_reach(self) -> typing.Any:
+        """
+        smooth tracker: largest speed beside the planned one that removes an integrated error; NaN: 0.03 of sqrt(g COM height) [m/s]
+        """
+    @tracker_reach.setter
+    def tracker_reach(self, arg1: typing.Any) -> None: ...
     @property
     def tracker_time(self) -> typing.Any:
         """
@@ -1607,6 +1639,7 @@ class VelocityTracker:
         gain: typing.SupportsFloat | typing.SupportsIndex = 5.0,
         time: typing.SupportsFloat | typing.SupportsIndex = 0.05,
         deadband: typing.SupportsFloat | typing.SupportsIndex = 0.0002,
+        reach: typing.SupportsFloat | typing.SupportsIndex = ...,
     ) -> None:
         """
         Args:
@@ -1614,15 +1647,19 @@ class VelocityTracker:
             gain: [1/s].
             time: [s].
             deadband: [m].
+            reach: largest |gain I| [m/s].
 
         Raises:
             InputError.
         """
     def acceleration(
-        self, v_plan: typing.SupportsFloat | typing.SupportsIndex, v: typing.SupportsFloat | typing.SupportsIndex
+        self,
+        v_plan: typing.SupportsFloat | typing.SupportsIndex,
+        v: typing.SupportsFloat | typing.SupportsIndex,
+        ahead: typing.SupportsFloat | typing.SupportsIndex = 0.0,
     ) -> float:
         """
-        Smooth law: (v_plan - gain I - v) / time [m/s^2].
+        Smooth law: (v_plan - gain (I - ahead) - v) / time [m/s^2]; ahead: what I is meant to be now [m].
         """
     def advance(
         self,
@@ -1729,7 +1766,7 @@ class GaitGenerator:
         timestep: typing.SupportsFloat | typing.SupportsIndex = 0.001,
         foot_distance: typing.SupportsFloat | typing.SupportsIndex,
         sole_width: typing.SupportsFloat | typing.SupportsIndex,
-        sole_length: typing.SupportsFloat | typing.SupportsIndex = 0.0,
+        sole_length: typing.SupportsFloat | typing.SupportsIndex = 0.25,
         profile: VelocityProfile,
         settings: WalkSettings = ...,
     ) -> None:

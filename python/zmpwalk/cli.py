@@ -178,7 +178,7 @@ def walk(
     model, found = examine(robot)
     name = robot if robot.isidentifier() else found.description.name
     controller = WalkingController(model, found.description, settings, velocity)
-    controller.move(motion and JointMotion.from_csv(motion))
+    controller.move(None if motion is None else JointMotion.from_csv(motion))
     mismatch = getattr(controller, "plan_mismatch", lambda duration: 0.0)(duration)
     out = out or Path("out") / f"{name}-{settings.law}"
     with _folder(out) as (draft, deliver):

@@ -380,8 +380,9 @@ def footprints(trace: Trace, start: float | None = None, end: float | None = Non
     for k, word in ((0, "start"), (-1, "end")):
         ax.plot(*com[k, :2], color=COM, marker="o", ms=4, zorder=6)
         text = f"{word}, {trace.t[rows][k]:.3g} s"
-        label = ax.annotate(text, com[k, :2], (0, -12), textcoords="offset points", ha="center", fontsize=8, zorder=7)
-        label.set_path_effects([withStroke(linewidth=2.5, foreground="white")])
+        x_k, y_k = com[k, :2].tolist()
+        word_k = ax.annotate(text, (x_k, y_k), (0, -12), textcoords="offset points", ha="center", fontsize=8, zorder=7)
+        word_k.set_path_effects([withStroke(linewidth=2.5, foreground="white")])
     ax.set(xlabel="x [m]", ylabel="y [m]", aspect="equal")
     ax.set(xlim=(low[0] - margin, high[0] + margin), ylim=(low[1] - margin, high[1] + margin))
     _legend_above(ax, 3)

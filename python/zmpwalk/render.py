@@ -147,9 +147,12 @@ class OffScreen:
 
         Raises:
             InputError: the model has no camera of that name.
+            Error: it was closed.
 
         Usage: `image = screen.draw(data, camera={"azimuth": 90})`
         """
+        if self._scene is None:
+            raise Error("the surface was closed; make another to draw on")
         self._gl.make_current()
         viewport = mujoco.MjrRect(0, 0, self._width, self._height)
         self._scene.draw(viewport, data, _camera(self._model, data, camera), marks, words)
@@ -319,8 +322,8 @@ def velocity_words(planned: np.ndarray, walked: np.ndarray) -> dict[str, str]:
 
 def _caption(trace: Trace, k: int) -> dict[str, str]:
     before = max(0, k - round(stride(trace.com[0, 2]) / trace.control_dt))
-    poses = feet_pose(trace.foot_left[[before, k]], trace.foot_right[[before, k]])
-    walked = mean_velocity(*poses, trace.t[k] - trace.t[before]) if k > before else np.zeros(3)
+    start, now = feet_pose(trace.foot_left[[before, k]], trace.foot_right[[before, k]])
+    walked = mean_velocity(start, now, float(trace.t[k] - trace.t[before])) if k > before else np.zeros(3)
     return {str(trace.meta.get("robot", "robot")): f"{trace.t[k]:.2f} s", **velocity_words(trace.v_plan[k], walked)}
 
 

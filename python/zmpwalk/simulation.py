@@ -70,7 +70,7 @@ class WalkingController(_core.WalkingController):
         return VelocityProfile.of(super().profile)
 
     @property
-    def motion(self) -> JointMotion | None:
+    def motion(self) -> JointMotion | None:  # type: ignore[override]
         """The joint motion that is followed; None where there is none."""
         return JointMotion.of(super().motion) if super().motion.names else None
 
@@ -281,7 +281,7 @@ def run(
     seed = _check_seed(seed)
     # Always with a callback: running Python now and then is what lets Ctrl-C through.
     progress = on_progress or (lambda t, duration: None)
-    steer = command and (lambda t, out: _velocity(command(t, out)))
+    steer: Any = None if command is None else lambda t, out: _velocity(command(t, out))
     columns, info = _core.simulate(controller, duration, progress, steer, command_interval)
     if info["stopped"]:
         duration = len(columns["t"]) * float(controller.settings.control_dt)

@@ -65,7 +65,7 @@ class Steering:
         """
         limit = np.array([0.22 * controller.com_height, 0.055 * controller.com_height, 0.14]) / controller.Tc
         limit = np.array([controller.within_reach(axis)[i] for i, axis in enumerate(np.diag(limit))])
-        return cls(limit / (10, 5, 5), limit)
+        return cls((limit / (10, 5, 5)).tolist(), limit.tolist())
 
     @property
     def command(self) -> tuple[float, float, float]:
@@ -211,8 +211,12 @@ class Window:
         self._glfw, self._walk, said = glfw, walk, []
         if sys.platform.startswith("linux") and not any(map(os.environ.get, ("DISPLAY", "WAYLAND_DISPLAY"))):
             raise Error("cannot open a window: there is no display (DISPLAY is not set); zmpwalk video films a walk")
-        glfw.set_error_callback(lambda code, text: said.append(text.decode(errors="replace")))
-        self._window = None
+
+        def hear(code: int, text: Any) -> None:
+            said.append(text.decode(errors="replace"))
+
+        glfw.set_error_callback(hear)
+        self._window: Any = None
         if glfw.init():
             glfw.window_hint(glfw.SAMPLES, 4)
             self._window = glfw.create_window(width, height, "zmpwalk", None, None)

@@ -148,7 +148,7 @@ class WalkingController {
   double stride(const Vec3& velocity) const;  // how far along the ground `velocity` takes an ankle from its hip [m]
   double reach(double crouch) const;          // how far the legs reach that way with the COM lowered by `crouch` [m]
   double crouch_for(double stride) const;     // how far the COM has to come down for it [m]
-  void set_height(double crouch);                 // the pendulum's, and what follows from it
+  void set_height(double crouch);             // the pendulum's, and what follows from it
   void move_height(double t, double stretch);
   void check_profile() const;
   double start_excursion(double scale) const;  // of the COM from the first stance foot, for the plan times `scale` [m]

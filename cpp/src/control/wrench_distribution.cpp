@@ -11,8 +11,8 @@ constexpr double kMostAlone = 0.45;  // of the feet's distance: between them the
 
 }  // namespace
 
-Vec12 distribute_wrench(const Vec3& F, const Vec3& M_P, const Vec3& P, const std::array<Vec3, 2>& c,
-                        const Vec3& along, double alone) {
+Vec12 distribute_wrench(const Vec3& F, const Vec3& M_P, const Vec3& P, const std::array<Vec3, 2>& c, const Vec3& along,
+                        double alone) {
   Vec3 axis = along;
   double span = (c[kLeft] - c[kRight]).dot(axis), margin = std::min(alone / std::abs(span), kMostAlone);
   if (std::abs(span) < 0.5 * (c[kLeft] - c[kRight]).norm()) {  // feet nearly in line: share along the line between them

@@ -103,8 +103,7 @@ Robot::Robot(const mjModel* m, const RobotDescription& description)
     leg_[side] = {(knee - hip).norm(), (foot - knee).norm(), foot - hip, leg_joints_[side][3]};
     const int yaw = joint_about(2, side, 0, 3), id = m->dof_jntid[dof0_ + 6 + yaw];
     if (m->jnt_limited[id])
-      hip_turn_ =
-          std::min({hip_turn_, stand_[yaw] - m->jnt_range[2 * id], m->jnt_range[2 * id + 1] - stand_[yaw]});
+      hip_turn_ = std::min({hip_turn_, stand_[yaw] - m->jnt_range[2 * id], m->jnt_range[2 * id + 1] - stand_[yaw]});
   }
   check_stand(m);
 }

@@ -19,6 +19,6 @@ namespace zmpwalk {
 /// @param along direction in which the load is shared, horizontal, not zero: the lateral axis of the support frame
 /// @return      (12,) left force and moment, right force and moment, at the sole centres, world axes. Allocates nothing.
 Vec12 distribute_wrench(const Vec3& F, const Vec3& M_P, const Vec3& P, const std::array<Vec3, 2>& c, const Vec3& along,
-                      double alone = 0.0);
+                        double alone = 0.0);
 
 }  // namespace zmpwalk

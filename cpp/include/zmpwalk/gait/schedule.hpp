@@ -51,7 +51,7 @@ class Schedule {
 
   GaitPhase at(double t) const;  ///< t [s] since the walk began; within this step
   const StepTimes& times() const { return times_; }
-  double lift_off() const { return lift_off_; }                   ///< of this step [s]
+  double lift_off() const { return lift_off_; }                  ///< of this step [s]
   double touch_down() const { return lift_off_ + times_.T_ss; }  ///< of this step [s]
 
  private:

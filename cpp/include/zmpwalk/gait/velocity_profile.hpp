@@ -37,7 +37,7 @@ class VelocityProfile {
   Vec3 travel(double t0, double t1) const;
   bool smooth(double t0, double t1) const {
     return segment(t0) == segment(t1);
-  }                                          ///< no knot lies between t0 and t1 [s]
+  }  ///< no knot lies between t0 and t1 [s]
   bool at_rest(double t0, double t1) const;  ///< the velocity is zero from t0 to t1 [s]
   double max_speed() const;                  ///< largest |(v_x, v_y)| [m/s]
 
