@@ -11,6 +11,7 @@ from zmpwalk import InputError, VelocityProfile, analysis
 SEEDS = 12  # of the jumps; the benchmark walks 100
 STEADY = 6.0  # at each speed of the ladder [s]; the benchmark takes 30
 STEP = 0.8  # the longest [s]
+FASTEST = 1.0  # [m/s]
 THIRD_PARTY = ("unitree_g1", "fourier_n1", "robotis_op3")
 
 
@@ -22,7 +23,7 @@ def together(runs):
 def all_runs():
     runs = {
         ("ladder", v): {**walk_anywhere.walk(v), "duration": v / walk_anywhere.RAMP + STEADY}
-        for v in walk_anywhere.LADDER
+        for v in (*walk_anywhere.LADDER, FASTEST)
     }
     for label, v in walk_anywhere.DIRECTIONS.items():
         runs["direction", label] = {"profile": VelocityProfile.ramp((0, 0, 0), v, 2.0), "duration": 10.0}
@@ -50,6 +51,14 @@ def test_ladder_is_climbed_at_the_commanded_speed_and_the_estimate_holds(walked_
     assert 100 * abs(m["velocity"][0] / speed - 1) <= walk_anywhere.LARGEST_SPEED_ERROR
     assert m["median"].max() <= walk_anywhere.LARGEST_MEDIAN
     assert m["p95"].max() <= walk_anywhere.LADDER[speed]
+    assert (m["torque"] < 100, m["saturated"], m["self_contacts"]) == (True, 0, 0)
+
+
+def test_a_metre_a_second_is_walked_within_the_torque_limits(walked_anywhere):
+    trace = walked_anywhere["ladder", FASTEST]
+    assert not trace.meta["fell"], trace.meta["fall_time"]
+    m = walk_anywhere.measure(trace, FASTEST / walk_anywhere.RAMP + 1.0)
+    assert 100 * abs(m["velocity"][0] / FASTEST - 1) <= walk_anywhere.LARGEST_SPEED_ERROR
     assert (m["torque"] < 100, m["saturated"], m["self_contacts"]) == (True, 0, 0)
 
 
