@@ -83,9 +83,8 @@ void visit_settings(Settings& s, Visitor&& v) {
   v("cadence_speed", s.cadence_speed, "m/s",
     "speed up to which steps take T_ds + T_ss and grow longer; NaN: 0.1 of sqrt(g COM height)");
   v("cadence_exponent", s.cadence_exponent, "",
-    "above it, steps take (cadence_speed / speed)^cadence_exponent of that; 0: always the same; NaN: 0.4, and 0 where "
-    "a "
-    "list sets the lengths");
+    "above it, steps take (cadence_speed / speed)^cadence_exponent of that; 0: always the same; NaN: 0.4, and 0 "
+    "where a list sets the lengths");
   v("cadence_double", s.cadence_double, "",
     "and the double support's share of a step goes as (cadence_speed / speed)^cadence_double");
   v("cadence_sideways", s.cadence_sideways, "", "what 1 m/s sideways counts as forward, for the cadence");
@@ -124,8 +123,7 @@ void visit_settings(Settings& s, Visitor&& v) {
   v("sole_fraction", s.sole_fraction, "", "share of the sole that the ZMP may use");
   v("sole_exponent", s.sole_exponent, "",
     "above cadence_speed the ZMP uses less of the sole's length, as (cadence_speed / speed)^sole_exponent: at its "
-    "edges "
-    "the contact chatters");
+    "edges the contact chatters");
   v("ankle_torque_fraction", s.ankle_torque_fraction, "", "share of the ankle's torque limit that may hold the ZMP");
   v("bound_lateral", s.bound_lateral, "", "bound the lateral ZMP too; the paper bounds the sagittal one only");
   v("least_knee", s.least_knee, "rad",
@@ -164,8 +162,7 @@ void visit_settings(Settings& s, Visitor&& v) {
     "tied footholds: time constant of the low-pass on the target; NaN: 0.18 T_c");
   v("foothold_give", s.foothold_give, "",
     "tied footholds: an excess speed moves the DCM; up to this share of the bounds the ZMP of the next stance takes it "
-    "up, "
-    "what is more moves the foothold");
+    "up, what is more moves the foothold");
   v("foothold_freeze", s.foothold_freeze, "",
     "tied footholds: share of the single support after which the target stands");
   v("capture_reach", s.capture_reach, "m",

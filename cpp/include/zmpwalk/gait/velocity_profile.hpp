@@ -35,9 +35,8 @@ class VelocityProfile {
   Vec3 displacement(double t0, double t1) const;  ///< integral of the velocity from t0 to t1 (3,) [m, m, rad]
   /// Where a frame that moves with this velocity is at t1, seen from where it is at t0: (x, y, yaw) [m, m, rad].
   Vec3 travel(double t0, double t1) const;
-  bool smooth(double t0, double t1) const {
-    return segment(t0) == segment(t1);
-  }  ///< no knot lies between t0 and t1 [s]
+  /// No knot lies between t0 and t1 [s].
+  bool smooth(double t0, double t1) const { return segment(t0) == segment(t1); }
   bool at_rest(double t0, double t1) const;  ///< the velocity is zero from t0 to t1 [s]
   double max_speed() const;                  ///< largest |(v_x, v_y)| [m/s]
 
