@@ -44,9 +44,9 @@ std::size_t VelocityProfile::segment(double t) const {
   return next == t_.begin() ? 0 : static_cast<std::size_t>(next - t_.begin()) - 1;
 }
 
-Vec3 VelocityProfile::velocity(double t) const { return velocity(segment(t), t); }
+Vec3 VelocityProfile::velocity(double t) const { return within(segment(t), t); }
 
-Vec3 VelocityProfile::velocity(std::size_t i, double t) const {
+Vec3 VelocityProfile::within(std::size_t i, double t) const {
   if (i + 1 == t_.size()) return v_[i];
   const double s = std::clamp((t - t_[i]) / (t_[i + 1] - t_[i]), 0.0, 1.0);
   return v_[i] + s * (end_[i] - v_[i]);
@@ -54,7 +54,7 @@ Vec3 VelocityProfile::velocity(std::size_t i, double t) const {
 
 Vec3 VelocityProfile::integral(double t) const {
   const std::size_t i = segment(t);
-  return sum_[i] + 0.5 * (t - t_[i]) * (v_[i] + velocity(i, t));
+  return sum_[i] + 0.5 * (t - t_[i]) * (v_[i] + within(i, t));
 }
 
 Vec3 VelocityProfile::displacement(double t0, double t1) const { return integral(t1) - integral(t0); }

@@ -54,7 +54,7 @@ class VelocityProfile {
  private:
   VelocityProfile() = default;
   std::size_t segment(double t) const;
-  Vec3 velocity(std::size_t segment, double t) const;
+  Vec3 within(std::size_t segment, double t) const;  // the velocity
   Vec3 integral(double t) const;
   bool turns(double t0, double t1) const;
   /// Appends a segment from (t, v), linear to `end` at t + length.
