@@ -131,7 +131,8 @@ def test_switch_wanders_and_orbit_feedback_holds_it(walk):
     assert spread(walk) > 0.03
     assert spread(held) < 0.002
     drift = np.diff(analysis.midstance_offset(held)[5:])
-    assert drift.mean() == pytest.approx(1.0e-4, abs=5e-5)  # the other, slower one: COM and feet part, 1.65e-4 with swing_kp=900, swing_kd=60
+    # the other, slower one: COM and feet part; 1.65e-4 with swing_kp=900, swing_kd=60
+    assert drift.mean() == pytest.approx(1.0e-4, abs=5e-5)
 
 
 # --- the list of steps as printed
