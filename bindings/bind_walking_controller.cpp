@@ -1,5 +1,5 @@
 #include "common.hpp"
-#include "zmpwalk/walking_controller.hpp"
+#include "zmpwalk/walk/walking_controller.hpp"
 
 using namespace zmpwalk;
 

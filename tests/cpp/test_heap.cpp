@@ -7,7 +7,7 @@
 
 #include "robots.hpp"
 #include "zmpwalk/simulation.hpp"
-#include "zmpwalk/walking_controller.hpp"
+#include "zmpwalk/walk/walking_controller.hpp"
 
 // The control cycle does not touch the heap: Eigen's own watch aborts with a line number, and every malloc of this program,
 // MuJoCo's and the standard library's too, and every mutex taken, is counted while a cycle runs.

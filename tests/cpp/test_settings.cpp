@@ -1,6 +1,6 @@
 #include "robots.hpp"
 #include "zmpwalk/math/error.hpp"
-#include "zmpwalk/walking_controller.hpp"
+#include "zmpwalk/walk/walking_controller.hpp"
 
 using namespace zmpwalk;
 using namespace zmpwalk::testing;

@@ -7,7 +7,7 @@
 
 #include "robots.hpp"
 #include "zmpwalk/simulation.hpp"
-#include "zmpwalk/walking_controller.hpp"
+#include "zmpwalk/walk/walking_controller.hpp"
 
 // Finished walks of the humanoid and their records.
 

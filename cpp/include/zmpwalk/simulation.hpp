@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "zmpwalk/robot/contact_forces.hpp"
-#include "zmpwalk/walking_controller.hpp"
+#include "zmpwalk/walk/walking_controller.hpp"
 
 namespace zmpwalk {
 

@@ -1,4 +1,4 @@
-#include "zmpwalk/walking_controller.hpp"
+#include "zmpwalk/walk/walking_controller.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -70,24 +70,6 @@ ZmpBounds bounds_of(const Robot& robot, Side side, const WalkSettings& settings)
 constexpr std::array<const char*, 3> kTrunkNames{"trunk_roll", "trunk_pitch", "trunk_yaw"};
 
 }  // namespace
-
-std::string to_string(Fall fall) {
-  switch (fall) {
-    case Fall::kNone:
-      return "";
-    case Fall::kHeight:
-      return "the COM came too low over the support foot";
-    case Fall::kTilt:
-      return "the trunk tilted too far";
-    case Fall::kFootTipped:
-      return "the support foot tipped over its edge";
-    case Fall::kNonFinite:
-      return "the simulated state is no longer finite";
-    case Fall::kNoContact:
-      return "no foot touched the ground any more";
-  }
-  return "?";
-}
 
 WalkingController::WalkingController(const mjModel* model, const RobotDescription& description,
                                      const WalkSettings& settings, const VelocityProfile& profile)
