@@ -99,10 +99,13 @@ void bind_walking_controller(py::module_& m) {
           "`within_reach`; how fast the\nrobot takes a command up is limited (settings forward_jump, "
           "forward_acceleration, ...).\n\n"
           "Args:\n    vx, vy: [m/s].\n    wz: [rad/s].\n\nRaises:\n    InputError: not finite.")
-      .def("reach_share", &WalkingController::reach_share, "velocity"_a,
-           "Share of the legs' reach that walking with velocity (v_x, v_y, w_z) takes; at most 1 can be walked.")
-      .def("within_reach", &WalkingController::within_reach, "velocity"_a,
-           "The velocity (v_x, v_y, w_z), made smaller until its reach_share is at most 1.")
+      .def(
+          "reach_share", [](const WalkingController& c, const Vec3& velocity) { return c.reach().share(velocity); },
+          "velocity"_a,
+          "Share of the legs' reach that walking with velocity (v_x, v_y, w_z) takes; at most 1 can be walked.")
+      .def(
+          "within_reach", [](const WalkingController& c, const Vec3& velocity) { return c.reach().within(velocity); },
+          "velocity"_a, "The velocity (v_x, v_y, w_z), made smaller until its reach_share is at most 1.")
       .def_property_readonly(
           "settings", [](const WalkingController& c) { return c.settings(); },
           "WalkSettings in force, every NaN filled in")
@@ -132,7 +135,9 @@ void bind_walking_controller(py::module_& m) {
       .def_property_readonly("Tc", &WalkingController::Tc, "sqrt(z_c / g) [s]")
       .def("knee_share", &WalkingController::knee_share, "speed"_a,
            "Share of the knee's torque limit that its own rotor and damping take at lift-off, walking at speed [m/s].")
-      .def_property_readonly("speed_limit", &WalkingController::speed_limit, "largest v_x that the legs reach [m/s]")
+      .def_property_readonly(
+          "speed_limit", [](const WalkingController& c) { return c.reach().speed_limit(); },
+          "largest v_x that the legs reach [m/s]")
       .def("plan_mismatch", &WalkingController::plan_mismatch, "duration"_a,
            "Largest speed of the footsteps minus the planned one within `duration` [s]; 0 where steps follow the "
            "profile [m/s].")

@@ -1,5 +1,7 @@
 #include "zmpwalk/benchmark.hpp"
 
+#include <mujoco/mujoco.h>
+
 #include <algorithm>
 #include <chrono>
 

@@ -1,5 +1,7 @@
 #include "zmpwalk/simulation.hpp"
 
+#include <mujoco/mujoco.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>

@@ -44,7 +44,7 @@ BOOST_AUTO_TEST_CASE(settings_that_break_a_rule_are_refused_with_name_value_and_
 
 BOOST_AUTO_TEST_CASE(a_profile_that_the_legs_cannot_walk_is_refused_with_their_limit) {
   const WalkingController controller(mahru(), describe(mahru()));
-  const double limit = controller.speed_limit();
+  const double limit = controller.reach().speed_limit();
   BOOST_CHECK_GT(limit, 0.25);
   refused_profile(VelocityProfile({0.0, 5.0}, {Vec3(0.1, 0, 0), Vec3(1.01 * limit, 0, 0)}),
                   std::to_string(limit) + " m/s straight ahead");
@@ -58,8 +58,9 @@ BOOST_AUTO_TEST_CASE(a_fast_start_is_refused_only_where_nothing_limits_its_rate)
     WalkSettings s;
     s.rate_limit = rate_limit;
     const VelocityProfile stand({0.0}, {Vec3::Zero()});
-    const double limit = WalkingController(mahru(), describe(mahru()), s, stand).speed_limit();
+    const double limit = WalkingController(mahru(), describe(mahru()), s, stand).reach().speed_limit();
     return WalkingController(mahru(), describe(mahru()), s, VelocityProfile({0.0}, {Vec3(0.99 * limit, 0, 0)}))
+        .reach()
         .speed_limit();
   };
   BOOST_CHECK_NO_THROW(start(true));
@@ -71,16 +72,16 @@ BOOST_AUTO_TEST_CASE(within_reach_is_itself_or_scaled_down_to_the_whole_reach) {
   Numbers numbers(4);
   int scaled = 0;
   for (int n = 0; n < 300; ++n) {
-    const Vec3 v = numbers.vector(3, 2.0), to = controller.within_reach(v);
+    const Vec3 v = numbers.vector(3, 2.0), to = controller.reach().within(v);
     CHECK_NEAR(to.cross(v), Vec3::Zero(), 1e-9);
     BOOST_CHECK_GE(to.dot(v), 0.0);
     if (to == v) {
-      BOOST_CHECK_LE(controller.reach_share(v), 1.0);
+      BOOST_CHECK_LE(controller.reach().share(v), 1.0);
     } else {
-      CHECK_NEAR(controller.reach_share(to), 1.0, 1e-9);
+      CHECK_NEAR(controller.reach().share(to), 1.0, 1e-9);
       ++scaled;
     }
-    BOOST_CHECK_LE(controller.reach_share(0.5 * v), controller.reach_share(v));
+    BOOST_CHECK_LE(controller.reach().share(0.5 * v), controller.reach().share(v));
   }
   BOOST_CHECK(scaled > 50 && scaled < 300);
 }
@@ -93,8 +94,8 @@ BOOST_AUTO_TEST_CASE(slower_steps_reach_less_speed) {
   slow.T_ds = 0.32;
   const VelocityProfile stand({0.0}, {Vec3::Zero()});
   const WalkingController usual(mahru(), describe(mahru()), s, stand);
-  CHECK_NEAR(WalkingController(mahru(), describe(mahru()), slow, stand).speed_limit(),
-             usual.speed_limit() * usual.settings().T_ss / 1.28, 1e-9);
+  CHECK_NEAR(WalkingController(mahru(), describe(mahru()), slow, stand).reach().speed_limit(),
+             usual.reach().speed_limit() * usual.settings().T_ss / 1.28, 1e-9);
 }
 
 BOOST_AUTO_TEST_CASE(a_command_that_is_not_finite_is_refused_and_nothing_changes) {

@@ -1,5 +1,7 @@
 #include "zmpwalk/robot/actuation.hpp"
 
+#include <mujoco/mujoco.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,5 +1,7 @@
 #include "zmpwalk/robot/contact_forces.hpp"
 
+#include <mujoco/mujoco.h>
+
 #include <Eigen/Geometry>
 #include <cmath>
 

@@ -1,5 +1,7 @@
 #include "zmpwalk/robot/description.hpp"
 
+#include <mujoco/mujoco.h>
+
 #include <algorithm>
 #include <set>
 

@@ -1,5 +1,7 @@
 #include "zmpwalk/robot/robot.hpp"
 
+#include <mujoco/mujoco.h>
+
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 #include <algorithm>
@@ -39,10 +41,12 @@ constexpr double kArmShare = 0.2;  // of the robot's mass: what an arm, not the 
 
 }  // namespace
 
-std::string object_name(const mjModel* m, mjtObj type, int id) {
+std::string object_name(const mjModel* m, int type, int id) {
   const char* name = id < 0 ? nullptr : mj_id2name(m, type, id);
   return name ? name : "";
 }
+
+void MjDataDeleter::operator()(mjData* d) const { mj_deleteData(d); }
 
 Robot::Robot(const mjModel* m, const RobotDescription& description)
     : m_(m),
@@ -100,7 +104,9 @@ Robot::Robot(const mjModel* m, const RobotDescription& description)
     };
     const Vec2 hip = anchor(pitch_joint(side, 0, 3)), knee = anchor(leg_joints_[side][3]),
                foot = anchor(pitch_joint(side, 4, 6));
-    leg_[side] = {(knee - hip).norm(), (foot - knee).norm(), foot - hip, leg_joints_[side][3]};
+    const int knee_dof = dof0_ + 6 + leg_joints_[side][3];
+    leg_[side] = {(knee - hip).norm(),  (foot - knee).norm(),      foot - hip,
+                  leg_joints_[side][3], m->dof_armature[knee_dof], m->dof_damping[knee_dof]};
     const int yaw = joint_about(2, side, 0, 3), id = m->dof_jntid[dof0_ + 6 + yaw];
     if (m->jnt_limited[id])
       hip_turn_ = std::min({hip_turn_, stand_[yaw] - m->jnt_range[2 * id], m->jnt_range[2 * id + 1] - stand_[yaw]});
@@ -142,6 +148,16 @@ int Robot::joint_about(int axis, Side side, int first, int last) const {
   return leg_joints_[side][best];
 }
 
+Eigen::Map<const VecX> Robot::qpos() const { return {data_->qpos + qpos0_, nv_ + 1}; }
+
+Eigen::Map<const VecX> Robot::qvel() const { return {data_->qvel + dof0_, nv_}; }
+
+double Robot::timestep() const { return m_->opt.timestep; }
+
+bool Robot::contacts_enabled() const { return !(m_->opt.disableflags & (mjDSBL_CONTACT | mjDSBL_CONSTRAINT)); }
+
+bool Robot::is_robot(int body) const { return m_->body_rootid[body] == root_body_; }
+
 bool Robot::is_foot(Side side, int body) const {
   for (; body > 0; body = m_->body_parentid[body])
     if (body == foot_body_[side]) return true;
@@ -159,11 +175,28 @@ bool Robot::is_finite(const mjData* d) const {
 }
 
 void Robot::read(const mjData* d) {
+  if (d != data_.get()) copy_state(d->qpos + qpos0_, d->qvel + dof0_);
+  compute();
+}
+
+void Robot::read(const State& state) {
+  copy_state(state.q.data(), state.dq.data());
+  compute();
+}
+
+void Robot::observe(const mjData* d, State& out) const {
+  out.time = d->time;
+  out.q = Eigen::Map<const VecX>(d->qpos + qpos0_, nv_ + 1);
+  out.dq = Eigen::Map<const VecX>(d->qvel + dof0_, nv_);
+}
+
+void Robot::copy_state(const double* q, const double* dq) {
+  std::copy_n(q, nv_ + 1, data_->qpos + qpos0_);
+  std::copy_n(dq, nv_, data_->qvel + dof0_);
+}
+
+void Robot::compute() {
   mjData* own = data_.get();
-  if (d != own) {
-    std::copy_n(d->qpos + qpos0_, nv_ + 1, own->qpos + qpos0_);
-    std::copy_n(d->qvel + dof0_, nv_, own->qvel + dof0_);
-  }
   mj_kinematics(m_, own);
   mj_comPos(m_, own);
   mujoco_compat::compute_inertia(m_, own);
@@ -187,8 +220,7 @@ void Robot::require_computed(const mjData* d) const {
 }
 
 void Robot::read_computed(const mjData* d) {
-  std::copy_n(d->qpos + qpos0_, nv_ + 1, data_->qpos + qpos0_);
-  std::copy_n(d->qvel + dof0_, nv_, data_->qvel + dof0_);
+  copy_state(d->qpos + qpos0_, d->qvel + dof0_);
   collect(d);
 }
 

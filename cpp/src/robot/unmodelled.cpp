@@ -1,5 +1,7 @@
 #include "zmpwalk/robot/unmodelled.hpp"
 
+#include <mujoco/mujoco.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>

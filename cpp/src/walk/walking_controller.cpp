@@ -3,50 +3,17 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
-#include "zmpwalk/control/momentum.hpp"
 #include "zmpwalk/math/error.hpp"
 #include "zmpwalk/math/rotation.hpp"
-#include "zmpwalk/zmp/reference_iteration.hpp"
+#include "zmpwalk/walk/proportions.hpp"
 
 namespace zmpwalk {
 namespace {
 
-double stand_height(const Dynamics& dyn) {
-  return dyn.com.z() - 0.5 * (dyn.sole[kLeft].p_WF.z() + dyn.sole[kRight].p_WF.z());
-}
-
-RobotScale scale_of(const Robot& robot) {
-  const Dynamics& dyn = robot.dynamics();
-  const RobotLeg leg = robot.leg_at_stand(kLeft);
-  RobotScale scale{stand_height(dyn), dyn.gravity.norm(), robot.model()->opt.timestep,
-                   (dyn.sole[kLeft].p_WF - dyn.sole[kRight].p_WF).head<2>().norm()};
-  // Law of cosines over hip, knee and ankle: d(length)/d(angle) = thigh shank sin(angle) / length.
-  const double length = leg.hip_to_ankle.norm();
-  const double cosine =
-      (length * length - leg.thigh * leg.thigh - leg.shank * leg.shank) / (2.0 * leg.thigh * leg.shank);
-  const int dof = robot.dof_address() + 6 + leg.knee;
-  scale.hip_to_ankle = length;
-  scale.knee_per_lift = length / (leg.thigh * leg.shank * std::sqrt(std::max(1.0 - cosine * cosine, 1e-4)));
-  scale.knee_armature = robot.model()->dof_armature[dof];
-  scale.knee_damping = robot.model()->dof_damping[dof];
-  scale.knee_torque = robot.torque_limit()[leg.knee];
-  return scale;
-}
-
 RobotDescription with_limits(RobotDescription description, const std::map<std::string, double>& limits) {
   for (const auto& [joint, limit] : limits) description.torque_limits[joint] = limit;
   return description;
-}
-
-SoleSize sole_of(const RobotDescription& description) {
-  const auto& [left, right] = description.feet;
-  return {std::max(left.length, right.length), std::min(left.width, right.width)};
-}
-
-std::string text_of(const Vec3& v) {
-  return std::to_string(v.x()) + " m/s, " + std::to_string(v.y()) + " m/s, " + std::to_string(v.z()) + " rad/s";
 }
 
 double top_speed(const VelocityProfile& profile) {
@@ -55,67 +22,45 @@ double top_speed(const VelocityProfile& profile) {
   return top;
 }
 
-ZmpBounds bounds_of(const Robot& robot, Side side, const WalkSettings& settings) {
-  const Foot& foot = robot.description().feet[side];
-  const auto& leg = robot.leg_joints()[side];
-  const Vec3 ankle = robot.ankle_in_sole(side);
-  const Dynamics& dyn = robot.dynamics();
-  const int pitch = robot.pitch_joint(side, 4, 6);
-  const int roll = leg[4] == pitch ? leg[5] : leg[4];
-  const SoleLimits limits{foot.length, foot.width, ankle.head<2>(), robot.torque_limit()[pitch],
-                          robot.torque_limit()[roll]};
-  return zmp_bounds(limits, dyn.mass * dyn.gravity.norm(), settings.sole_fraction, settings.ankle_torque_fraction);
-}
-
-constexpr std::array<const char*, 3> kTrunkNames{"trunk_roll", "trunk_pitch", "trunk_yaw"};
-
 }  // namespace
 
 WalkingController::WalkingController(const mjModel* model, const RobotDescription& description,
                                      const WalkSettings& settings, const VelocityProfile& profile)
     : robot_(model, with_limits(description, settings.torque_limits)),
-      reference_((VecX(robot_.joints() + 3) << robot_.stand(), Vec3::Zero()).finished()),
       profile_(profile),
-      com_height_(stand_height(robot_.dynamics())),
-      sole_(sole_of(description)),
+      sole_(common_sole(description)),
       settings_(resolve(settings, scale_of(robot_), top_speed(profile))),
-      pendulum_(com_height_, robot_.dynamics().gravity.norm()),
       bounds_{bounds_of(robot_, kLeft, settings_), bounds_of(robot_, kRight, settings_)},
+      height_(height_over_soles(robot_.dynamics()), robot_.dynamics().gravity.norm(), settings_),
       gait_(settings_, profile_, sole_, bounds_),
+      reach_(robot_, settings_, gait_.cadence()),
       tracker_(settings_.tracker, settings_.tracker_gain, settings_.tracker_time, settings_.tracker_deadband,
                settings_.tracker_reach),
+      reference_(settings_),
+      body_(robot_, settings_),
+      arms_(robot_, settings_),
       whole_body_(robot_.nv(), robot_.leg_joints(),
                   {settings_.textbook, settings_.posture_task, settings_.wrench_distribution,
                    settings_.load_alone * 0.5 * sole_.width, settings_.contact_damping, settings_.singular_damping,
                    settings_.singular_pivot, settings_.kernel}),
       estimator_(robot_.nv()),
-      hip_turn_(robot_.hip_turn()),
+      fall_(settings_),
+      clock_(settings_.control_dt),
       R_HB_(Mat3::Identity()),
-      kp_(settings_.com_x_kp, settings_.com_y_kp),
-      kd_(settings_.com_x_kd, settings_.com_y_kd),
-      R_S_(Mat2::Identity()),
-      R_H_(Mat2::Identity()),
-      swinging_(robot_.arm_joints()),
-      c_(VecX::Zero(robot_.nv())),
+      state_(robot_.nv()),
       result_(whole_body_.result()),
       J_c_(RowMatX::Zero(12, robot_.nv())),
       drift_c_(VecX::Zero(12)) {
-  if (model->opt.disableflags & (mjDSBL_CONTACT | mjDSBL_CONSTRAINT))
-    throw ModelError("the model's option flags switch contacts off; walking needs them");
-  if (settings_.momentum_arms > 0.0 && (swinging_.empty() || !settings_.posture_task))
-    throw InputError("momentum_arms = " + std::to_string(settings_.momentum_arms) +
-                     " needs the posture task and joints outside the legs that carry less than a fifth of the robot; 0 "
-                     "does without");
+  if (!robot_.contacts_enabled()) throw ModelError("the model's option flags switch contacts off; walking needs them");
   robot_.friction_velocity = settings_.friction_velocity;
-  ticks_per_cycle_ = static_cast<int>(std::lround(settings_.control_dt / model->opt.timestep));
   f_star_.posture = VecX::Zero(robot_.joints());
   out_.tau = VecX::Zero(robot_.joints());
   for (auto& pose : out_.foot) pose.setZero();
-  set_height(0.0);
+  reference_.set_pendulum(height_.pendulum());
   const Dynamics& dyn = robot_.dynamics();
-  ground_ = dyn.com.z() - com_height_;
+  height_.reset(height_.z_c(), dyn.com.z() - height_.z_c());
   start_ = gait_input(0.0, dyn.com.head<2>(), dyn.dcom.head<2>());
-  check_profile();
+  require_startable();
 }
 
 GaitInput WalkingController::gait_input(double t, const Vec2& com, const Vec2& dcom) const {
@@ -126,102 +71,40 @@ GaitInput WalkingController::gait_input(double t, const Vec2& com, const Vec2& d
           {left.p_WF, right.p_WF},
           {left.R_WF, right.R_WF},
           tracker_.catch_up(gait_.output().orbit_ahead),
-          ground_};
+          height_.ground()};
 }
 
 WalkPlan WalkingController::plan(double duration, double dt) const {
   WalkSettings settings = settings_;
   settings.control_dt = dt;
   require_positive("dt", dt);
-  return plan_walk(settings, profile_, pendulum_, bounds_, sole_, start_, duration);
-}
-
-double WalkingController::reach(double crouch) const {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Side side : kSides) {
-    const RobotLeg leg = robot_.leg_at_stand(side);
-    const double length_2 =
-        leg.thigh * leg.thigh + leg.shank * leg.shank + 2.0 * leg.thigh * leg.shank * std::cos(settings_.least_knee);
-    const double height = std::abs(leg.hip_to_ankle.y()) - crouch;
-    least = std::min(least, std::sqrt(std::max(length_2 - height * height, 0.0)) - std::abs(leg.hip_to_ankle.x()));
-  }
-  return std::max(least, 0.0);
-}
-
-double WalkingController::stride(const Vec3& velocity) const {
-  const StepTimes times = gait_.cadence().times(velocity);
-  const double along = 0.5 * (times.period() + times.T_ds) * velocity.x(), aside = times.period() * velocity.y();
-  return std::hypot(along, aside);
-}
-
-double WalkingController::reach_share(const Vec3& velocity) const {
-  const StepTimes times = gait_.cadence().times(velocity);
-  const double turn = 0.5 * (times.period() + times.T_ds) * velocity.z();
-  return std::max(stride(velocity) / reach(settings_.crouch_limit), std::abs(turn) / hip_turn_);
-}
-
-double WalkingController::crouch_for(double stride) const {
-  const double wanted = settings_.crouch_margin * stride;
-  if (wanted <= reach(0.0)) return 0.0;
-  double less = 0.0, enough = settings_.crouch_limit;
-  for (int i = 0; i < 12; ++i) {
-    const double middle = 0.5 * (less + enough);
-    (reach(middle) >= wanted ? enough : less) = middle;
-  }
-  return enough;
-}
-
-void WalkingController::set_height(double crouch) {
-  pendulum_ = LinearInvertedPendulum(com_height_ - crouch, robot_.dynamics().gravity.norm());
-  const double dt = settings_.control_dt, Tc = pendulum_.Tc();
-  for (int i = 0; i < 2; ++i)
-    df_dr_[i] = (settings_.feed_forward ? -1.0 / (Tc * Tc) : 0.0) -
-                pd_acceleration(kp_[i], kd_[i], std::cosh(dt / Tc) - 1.0, std::sinh(dt / Tc) / Tc);
-}
-
-void WalkingController::move_height(double t, double stretch) {
-  // Ahead of the speed by a step, or for where the feet are to stand; critically damped.
-  const VelocityProfile& plan = gait_.plan();
-  const double ahead = gait_.cadence().slow.period(), rate = 1.0 / settings_.crouch_time, dt = settings_.control_dt;
-  const double wanted = crouch_for(std::max({stride(plan.velocity(t)), stride(plan.velocity(t + ahead)), stretch}));
-  if (wanted == 0.0 && crouch_ == 0.0) return;
-  ddcrouch_ = rate * (rate * (wanted - crouch_) - 2.0 * dcrouch_);
-  crouch_ += dcrouch_ * dt;
-  dcrouch_ += ddcrouch_ * dt;
-  if (wanted == 0.0 && std::abs(crouch_) < 1e-6 && std::abs(dcrouch_) < 1e-6) crouch_ = dcrouch_ = ddcrouch_ = 0.0;
-  set_height(crouch_);
-  gait_.set_pendulum(pendulum_);
-}
-
-Vec3 WalkingController::within_reach(const Vec3& velocity) const {
-  if (reach_share(velocity) <= 1.0) return velocity;
-  double possible = 0.0, impossible = 1.0;
-  for (int i = 0; i < 40; ++i) {
-    const double middle = 0.5 * (possible + impossible);
-    (reach_share(middle * velocity) <= 1.0 ? possible : impossible) = middle;
-  }
-  return possible * velocity;
+  return plan_walk(settings, profile_, height_.pendulum(), bounds_, sole_, start_, duration);
 }
 
 void WalkingController::command(const Vec3& velocity) {
   if (!velocity.allFinite())
-    throw InputError("command (" + text_of(velocity) + ") is not finite; it is (v_x, v_y, w_z) [m/s, m/s, rad/s]");
-  mailbox_.put(within_reach(velocity));
+    throw InputError("command (" + velocity_text(velocity) +
+                     ") is not finite; it is (v_x, v_y, w_z) [m/s, m/s, rad/s]");
+  mailbox_.put(reach_.within(velocity));
+}
+
+void WalkingController::move(const JointMotion& motion) {
+  body_.follow(motion);
+  arms_.leave_to(body_.reference());
 }
 
 double WalkingController::knee_share(double speed) const {
   return zmpwalk::knee_share(scale_of(robot_), settings_, settings_.step_height, speed);
 }
 
-void WalkingController::check_profile() const {
-  for (const Vec3& v : profile_.v())
-    if (reach_share(v) > 1.0)
-      throw InputError("the profile asks for (v_x, v_y, w_z) = (" + text_of(v) +
-                       "); this robot's legs reach as far as (" + text_of(within_reach(v)) + ") at a step period of " +
-                       std::to_string(gait_.cadence().times(v).period()) + " s, and " + std::to_string(speed_limit()) +
-                       " m/s straight ahead");
+double WalkingController::plan_mismatch(double duration) const {
+  return gait_.footsteps().mismatch(duration, gait_.cadence());
+}
+
+void WalkingController::require_startable() const {
+  reach_.require_within(profile_);
   // From a stand, the COM may not run away from the first stance foot before the second stands.
-  const double room = reach(0.0);
+  const double room = reach_.along_ground(0.0);
   if (start_excursion(1.0) <= room) return;
   if (start_excursion(0.0) > room)
     throw InputError("the COM would run " + std::to_string(start_excursion(0.0)) +
@@ -248,180 +131,150 @@ double WalkingController::start_excursion(double scale) const {
       scale * (plan.displacement(0.0, t_switch) + 0.5 * plan.displacement(t_switch, t_switch + period)).x();
   VelocityTracker tracker(TrackerLaw::kSmooth, settings_.tracker_gain, settings_.tracker_time,
                           settings_.tracker_deadband);
+  const LinearInvertedPendulum& pendulum = height_.pendulum();
   const Dynamics& dyn = robot_.dynamics();
   const Vec3 middle = 0.5 * (dyn.sole[kLeft].p_WF + dyn.sole[kRight].p_WF);
   const double x_0 = (dyn.com - middle).head<2>().norm();
   PendulumState s{x_0, 0.0};
   for (double t = 0.0; t < t_end; t += dt) {
     const double v_plan = scale * plan.velocity(t).x(), foot = t < t_switch ? 0.0 : foothold;
-    const double wanted = pendulum_.reference_for(s.x, tracker.acceleration(v_plan, s.v));
+    const double wanted = pendulum.reference_for(s.x, tracker.acceleration(v_plan, s.v));
     const double r = std::clamp(wanted, foot + bounds_[kLeft].lower.x(), foot + bounds_[kLeft].upper.x());
-    s = pendulum_.step(dt, s, r);
+    s = pendulum.step(dt, s, r);
     tracker.advance(s.v, v_plan, dt);
   }
   return s.x - x_0;
 }
 
-double WalkingController::plan_mismatch(double duration) const {
-  return gait_.footsteps().mismatch(duration, gait_.cadence());
+void WalkingController::reset(const State& state) {
+  require_size("state.q", state.q.size(), robot_.nv() + 1);
+  require_size("state.dq", state.dq.size(), robot_.nv());
+  if (!state.q.allFinite() || !state.dq.allFinite() || !std::isfinite(state.time))
+    throw InputError("the state holds a time, position or velocity that is not finite");
+  robot_.read(state);
+  clock_.reset(state.time);
+  start();
 }
 
 void WalkingController::reset(const mjData* data) {
   robot_.require_data(data);
   if (!robot_.is_finite(data))
     throw InputError("data holds a position or velocity that is not finite; place the robot first");
-  robot_.read(data);
+  robot_.observe(data, state_);
+  reset(state_);
+}
+
+void WalkingController::start() {
   const Dynamics& dyn = robot_.dynamics();
-  t_start_ = data->time;
-  tick_ = 0;
-  ground_ = dyn.com.z() - stand_height(dyn);
-  com_height_ = stand_height(dyn);
-  crouch_ = dcrouch_ = ddcrouch_ = 0.0;
-  set_height(0.0);
+  const double z_c = height_over_soles(dyn);
+  height_.reset(z_c, dyn.com.z() - z_c);
+  reference_.set_pendulum(height_.pendulum());
   com_des_ = dyn.com.head<2>();
   dcom_des_ = dyn.dcom.head<2>();
   start_ = gait_input(0.0, com_des_, dcom_des_);
-  gait_.reset(start_, pendulum_);
+  gait_.reset(start_, height_.pendulum());
   tracker_.reset();
-  Vec3 stale;
-  mailbox_.take(stale);
+  mailbox_.clear();
   VecX tau = std::move(out_.tau);
   out_ = CycleOutput{};
   out_.tau = std::move(tau);
   for (auto& pose : out_.foot) pose.setZero();
   const Vec3 forward = dyn.sole[kLeft].R_WF.col(0) + dyn.sole[kRight].R_WF.col(0);
   R_HB_ = rotation_z(std::atan2(forward.y(), forward.x())).transpose() * dyn.R_WB;
-  for (const Side side : kSides) up_[side] = dyn.sole[side].R_WF.col(2);
-  reference_.reset();
+  fall_.reset(dyn, R_HB_, z_c);
+  body_.reset();
   f_xy_.setZero();
-  started_ = true;
 }
 
-int WalkingController::coordinate(const std::string& name) const {
-  std::string known;
-  for (int j = 0; j < robot_.joints(); ++j) {
-    if (robot_.is_leg_joint(j)) {
-      if (robot_.joint_names()[j] == name)
-        throw InputError("the motion moves '" + name + "', a joint of a leg: the walk moves those");
-      continue;
-    }
-    if (robot_.joint_names()[j] == name) return j;
-    known += robot_.joint_names()[j] + ", ";
-  }
-  for (int i = 0; i < 3; ++i)
-    if (name == kTrunkNames[i]) return robot_.joints() + i;
-  throw InputError("the motion moves '" + name + "', which this robot does not have; there are: " + known +
-                   "trunk_roll, trunk_pitch, trunk_yaw");
-}
-
-void WalkingController::move(const JointMotion& motion) {
-  if (!settings_.posture_task && !motion.names().empty())
-    throw InputError("posture_task is off: nothing would follow a motion");
-  std::vector<int> entry;
-  for (const std::string& name : motion.names()) {
-    const int i = coordinate(name);
-    const double tilt = 0.5 * settings_.fall_tilt;
-    const auto [low, high] = i < robot_.joints() ? robot_.joint_range(i) : std::make_pair(-tilt, tilt);
-    const JointMotion::Extent extent = motion.extent(static_cast<int>(entry.size()));
-    const bool below = extent.low < low;
-    if (below || extent.high > high)
-      throw InputError("the motion brings '" + name + "' to " + std::to_string(below ? extent.low : extent.high) +
-                       " rad at t = " + std::to_string(below ? extent.t_low : extent.t_high) + " s; its range is " +
-                       std::to_string(low) + " to " + std::to_string(high) +
-                       " rad, between the knots of the spline too");
-    entry.push_back(i);
-  }
-  reference_.start(motion, std::move(entry), settings_.motion_blend);
-  swinging_.clear();
-  for (const int j : robot_.arm_joints())
-    if (!reference_.names(j)) swinging_.push_back(j);
-}
-
-const CycleOutput& WalkingController::update(mjData* data, Terms terms) {
-  if (!started_) throw InputError("update was called before reset(data)");
-  robot_.require_data(data);
-  if (!robot_.is_finite(data)) throw InputError("data holds a position or velocity that is not finite");
-  const bool fresh = tick_ % ticks_per_cycle_ == 0;
-  if (fresh && terms == Terms::kInData) robot_.require_computed(data);
-  out_.fresh = fresh;
-  ++tick_;
+const CycleOutput& WalkingController::update(const State& state) {
+  require_size("state.q", state.q.size(), robot_.nv() + 1);
+  require_size("state.dq", state.dq.size(), robot_.nv());
+  if (!state.q.allFinite() || !state.dq.allFinite())
+    throw InputError("the state holds a position or velocity that is not finite");
+  clock_.require(state.time);
+  out_.fresh = clock_.due(state.time);
   if (!out_.fresh) {
-    robot_.write_torque(out_.tau, data);
+    clock_.hold(state.time);
     return out_;
   }
-  if (terms == Terms::kInData)
-    robot_.read_computed(data);
-  else
-    robot_.read(data);
-  const Dynamics& dyn = robot_.dynamics();
-  const double t = data->time - t_start_;
-  const bool measured = settings_.com_state == ComState::kMeasured;
+  robot_.read(state);
+  cycle(state);
+  return out_;
+}
 
-  const GaitInput in =
-      gait_input(t, measured ? Vec2(dyn.com.head<2>()) : com_des_, measured ? Vec2(dyn.dcom.head<2>()) : dcom_des_);
-  if (Vec3 live; mailbox_.take(live) && live != out_.command) gait_.command(out_.command = live);
-  const GaitOutput& gait = gait_.update(in);
-  move_height(t, gait.stretch);
-  R_S_ = rotation_z(gait.yaw).topLeftCorner<2, 2>();
-  R_H_ = rotation_z(gait.heading).topLeftCorner<2, 2>();
-  const auto to_S = [&](const Vec2& p) { return Vec2(R_S_.transpose() * p); };
-  x_ = to_S(in.com - gait.origin);
-  v_ = to_S(in.dcom);
-  x_meas_ = to_S(dyn.com.head<2>() - gait.origin);
-  v_meas_ = to_S(dyn.dcom.head<2>());
-
-  out_.t = data->time;
-  out_.com = dyn.com;
-  out_.dcom = dyn.dcom;
-  out_.heading = gait.heading;
-  out_.at_rest = gait.at_rest;
-  out_.v_plan = gait.v_plan;
-  out_.phase = static_cast<int>(gait.phase.phase);
-  out_.support = static_cast<int>(side_sign(gait.support));
-  out_.step = gait.phase.step;
-  out_.phase_time = gait.phase.time;
-  out_.w_T = gait.w_T;
-  out_.foothold << gait.foothold.p, gait.foothold.yaw;
-  for (const Side side : kSides) {
-    const Eigen::Quaterniond q(dyn.sole[side].R_WF);
-    out_.foot[side] << dyn.sole[side].p_WF, q.w(), q.x(), q.y(), q.z();
+const CycleOutput& WalkingController::update(mjData* data, Terms terms, const Sensed& sensed) {
+  robot_.require_data(data);
+  if (!robot_.is_finite(data)) throw InputError("data holds a position or velocity that is not finite");
+  robot_.observe(data, state_);
+  clock_.require(state_.time);
+  out_.fresh = clock_.due(state_.time);
+  if (out_.fresh) {
+    if (terms == Terms::kInData) {
+      robot_.require_computed(data);
+      robot_.read_computed(data);
+    } else {
+      robot_.read(state_);
+    }
+    static_cast<Sensed&>(state_) = sensed;
+    cycle(state_);
+  } else {
+    clock_.hold(state_.time);
   }
-
-  reference_.update(t);
-  task_accelerations(gait);
-  stance_.standing = gait.standing;
-  stance_.support = gait.support;
-  stance_.lateral << -std::sin(gait.heading), std::cos(gait.heading), 0.0;
-  if (settings_.momentum_arms > 0.0) swing_arms(gait);
-  whole_body_.prepare(dyn, stance_, f_star_);
-  choose_reference(gait);
-  whole_body_.solve(f_xy_, result_);
-  out_.f_c = result_.f_c;
-  out_.damped = result_.damped;
-  clip_torque(gait);
-  check_fall(gait);
   robot_.write_torque(out_.tau, data);
   return out_;
 }
 
-void WalkingController::task_accelerations(const GaitOutput& gait) {
+void WalkingController::cycle(const State& state) {
   const Dynamics& dyn = robot_.dynamics();
+  const double t = clock_.since_start(state.time);
+  clock_.tick(state.time);
+  out_.t = state.time;
+
+  // Where the walk is, and where COM and feet are to go.
+  const bool measured = settings_.com_state == ComState::kMeasured;
+  const Vec2 com = measured ? Vec2(dyn.com.head<2>()) : com_des_,
+             dcom = measured ? Vec2(dyn.dcom.head<2>()) : dcom_des_;
+  if (Vec3 live; mailbox_.take(live) && live != out_.command) gait_.command(out_.command = live);
+  const GaitOutput& gait = gait_.update(gait_input(t, com, dcom));
+  if (height_.update(t, gait.stretch, gait_.plan(), reach_, gait_.cadence().slow.period())) {
+    reference_.set_pendulum(height_.pendulum());
+    gait_.set_pendulum(height_.pendulum());
+  }
+  const Cycle cycle = cycle_of(t, dyn, gait, height_.pendulum(), com, dcom);
+
+  // What the whole body is asked for, but for the COM's x and y.
+  body_.update(t);
+  command_tasks(cycle);
+  stance_.standing = gait.standing;
+  stance_.support = gait.support;
+  stance_.lateral << -std::sin(gait.heading), std::cos(gait.heading), 0.0;
+  if (arms_.on()) arms_.command(dyn, stance_, f_xy_, gait.v_plan.z(), body_.reference(), whole_body_, f_star_);
+  whole_body_.prepare(dyn, stance_, f_star_);
+
+  // III-C, (16), III-B: the COM's x and y, by the ZMP that they lead to. (1)-(8): the torque. (9)-(15): its ZMP.
+  decide_reference(cycle);
+  whole_body_.solve(f_xy_, result_);
+  limit_torque(gait);
+  note(cycle);
+}
+
+void WalkingController::command_tasks(const Cycle& cycle) {
+  const Dynamics& dyn = robot_.dynamics();
+  const GaitOutput& gait = *cycle.gait;
   const WalkSettings& s = settings_;
   f_star_.com.z() =
-      pd_acceleration(s.com_z_kp, s.com_z_kd, ground_ + com_height_ - crouch_ - dyn.com.z(), -dcrouch_ - dyn.dcom.z()) -
-      ddcrouch_;
+      pd_acceleration(s.com_z_kp, s.com_z_kd, height_.z() - dyn.com.z(), height_.dz() - dyn.dcom.z()) + height_.ddz();
   const int n = dyn.joints();
-  const auto& [q_ref, dq_ref, ddq_ref] = std::tie(reference_.q(), reference_.dq(), reference_.ddq());
-  const auto angle = [&](int i) { return Motion1{q_ref[n + i], dq_ref[n + i], ddq_ref[n + i]}; };
-  const Turning trunk = turning(angle(0), angle(1), angle(2));
+  const MotionReference& ref = body_.reference();
+  const Turning trunk = turning(body_.at(n), body_.at(n + 1), body_.at(n + 2));
   const Mat3 R_WH = rotation_z(gait.heading);
   const Vec3 heading_rate(0.0, 0.0, gait.v_plan.z());
   f_star_.trunk = R_WH * trunk.alpha + heading_rate.cross(R_WH * trunk.omega);
   f_star_.trunk += pd_acceleration(s.trunk_kp, s.trunk_kd, orientation_error(R_WH * trunk.R * R_HB_, dyn.R_WB),
                                    Vec3(R_WH * trunk.omega + heading_rate - dyn.omega_WB));
-  f_star_.posture = ddq_ref.head(n);
+  f_star_.posture = ref.ddq().head(n);
   f_star_.posture +=
-      pd_acceleration(s.posture_kp, s.posture_kd, q_ref.head(n) - dyn.q, dq_ref.head(n) - dyn.dq.tail(n));
+      pd_acceleration(s.posture_kp, s.posture_kd, ref.q().head(n) - dyn.q, ref.dq().head(n) - dyn.dq.tail(n));
   if (gait.phase.phase == Phase::kDoubleSupport) return;
   const SoleState& sole = dyn.sole[gait.swing];
   const SwingTarget& target = gait.swing_target;
@@ -435,137 +288,35 @@ void WalkingController::task_accelerations(const GaitOutput& gait) {
   }
 }
 
-void WalkingController::swing_arms(const GaitOutput& gait) {
-  // dL_z = c_a ddq_a + what the rest does while the arms keep their speed; the arms cancel the latter and bring L_z to zero
-  // with k_d: ddq_a = -c_a+ dL_rest + k_d (-c_a+ L_rest - dq_a) + k_p (q_ref - q_a).
-  const Dynamics& dyn = robot_.dynamics();
-  const double kp = settings_.momentum_kp, kd = settings_.momentum_kd;
-  for (const int j : swinging_) f_star_.posture[j] = 0.0;
-  whole_body_.prepare(dyn, stance_, f_star_);
-  yaw_momentum_row(dyn, c_);
-  // A robot that turns as planned keeps the momentum of turning as one body.
-  double L_rest = c_.dot(dyn.dq) - gait.v_plan.z() * c_.segment<3>(3).dot(dyn.R_WB.row(2)), square = 0.0;
-  for (const int j : swinging_) {
-    L_rest -= c_[6 + j] * dyn.dq[6 + j];
-    square += c_[6 + j] * c_[6 + j];
-  }
-  if (!(square > 0.0)) return;
-  const double dL_rest = whole_body_.yaw_moment(f_xy_), share = -settings_.momentum_arms / square;
-  for (const int j : swinging_) {
-    const double q = dyn.q[j], dq = dyn.dq[6 + j], c_inv = share * c_[6 + j];
-    const double ddq = reference_.ddq()[j] + c_inv * dL_rest +
-                       pd_acceleration(kp, kd, reference_.q()[j] - q, reference_.dq()[j] + c_inv * L_rest - dq);
-    // A limit is approached as a critically damped joint would.
-    const auto [low, high] = robot_.joint_range(j);
-    f_star_.posture[j] = std::clamp(ddq, kd * (0.25 * kd * (low - q) - dq), kd * (0.25 * kd * (high - q) - dq));
-  }
-}
-
-WalkingController::Desired WalkingController::desired(const Vec2& r) const {
-  Desired c;
-  const double dt = settings_.control_dt;
-  for (int i = 0; i < 2; ++i) {
-    const PendulumState next = pendulum_.step(dt, {x_[i], v_[i]}, r[i]);
-    c.x_d[i] = next.x;
-    c.v_d[i] = next.v;
-    c.f[i] = (settings_.feed_forward ? pendulum_.acceleration(x_[i], r[i]) : 0.0) +
-             pd_acceleration(kp_[i], kd_[i], next.x - x_meas_[i], next.v - v_meas_[i]);
-  }
-  return c;
-}
-
-void WalkingController::choose_reference(const GaitOutput& gait) {
-  const double dt = settings_.control_dt;
-  const auto to_W = [&](const Vec2& p) { return Vec2(gait.origin + R_S_ * p); };
-  const auto estimate_of = [&](const Vec2& f) {
-    return Vec2(R_S_.transpose() * (whole_body_.zmp(R_S_ * f) - gait.origin));
-  };
-
-  // What velocity tracking alone asks for.
-  const bool smooth = tracker_.law() == TrackerLaw::kSmooth && settings_.zmp_modification;
-  const Vec2 com = gait.origin + R_S_ * x_, dcom = R_S_ * v_;
-  Vec2 r = R_S_.transpose() * (reference_zmp(gait, pendulum_, tracker_, com, dcom) - gait.origin);
-  // Without III-B nobody asks the whole body: the ZMP is where the pendulum has it.
-  const bool estimates = settings_.iteration != Iteration::kNone;
-  Desired c = desired(r);
-  if (!smooth && !gait.at_rest) {  // the desired velocity is the planned one, which stands: nothing to feed forward
-    const double v_plan = (R_S_.transpose() * R_H_ * gait.v_plan.head<2>()).x();
-    c.x_d.x() = x_.x() + v_plan * dt;
-    c.v_d.x() = v_plan;
-    c.f.x() = pd_acceleration(kp_.x(), kd_.x(), c.x_d.x() - x_meas_.x(), c.v_d.x() - v_meas_.x());
-    r.x() = estimates ? 0.0 : pendulum_.reference_for(x_.x(), c.f.x());
-  }
-  Vec2 zmp = estimates ? estimate_of(c.f) : r;
-  Vec2 wanted = zmp;
-
-  const ZmpBounds& bounds = gait.room;
-  if (settings_.zmp_modification) {
-    const Vec2 inside = bounds.clamp(zmp);
-    wanted.x() = inside.x();
-    if (settings_.bound_lateral) wanted.y() = inside.y();
-    if (tracker_.drive() == Drive::kLower) wanted.x() = bounds.lower.x();
-    if (tracker_.drive() == Drive::kUpper) wanted.x() = bounds.upper.x();
-  }
-  out_.zmp_modified.setZero();
-  Vec2 axes = Vec2::Zero();
-  for (int i = 0; i < 2; ++i)
-    if (wanted[i] != zmp[i]) {
-      axes[i] = 1.0;
-      out_.zmp_modified[i] = wanted[i] == bounds.lower[i] ? -1.0 : 1.0;
-    }
-  const Mat2 slope = R_S_.transpose() * whole_body_.zmp_slope() * R_S_ * df_dr_.asDiagonal();
-  out_.zmp_slope = slope.diagonal();
+void WalkingController::decide_reference(const Cycle& cycle) {
+  const GaitOutput& gait = *cycle.gait;
+  const Reference r = reference_.decide(cycle, tracker_, whole_body_);
+  f_xy_ = cycle.R_WS * r.f;
+  com_des_ = cycle.to_W(r.x_d);
+  dcom_des_ = cycle.R_WS * r.v_d;
+  out_.zmp_des = cycle.to_W(r.zmp_des);
+  out_.zmp_est = cycle.to_W(r.zmp_est);
+  out_.zmp_ref = cycle.to_W(r.zmp_ref);
   out_.zmp_first.setConstant(kNaN);
-  out_.iterations = 0;
-  Vec2 reference = r;
-  if (!smooth && axes.x() == 0.0) reference.x() = zmp.x();  // tracking: no pendulum along x
-  if (axes.any()) {
-    // An axis that is left alone keeps its command.
-    const Vec2 kept = c.f;
-    const auto estimate = [&](const Vec2& r_ref) {
-      const Vec2 f = axes.cwiseProduct(desired(r_ref).f) + (Vec2::Ones() - axes).cwiseProduct(kept);
-      return estimate_of(f);
-    };
-    const Vec2 first = estimate(axes.cwiseProduct(wanted) + (Vec2::Ones() - axes).cwiseProduct(r));
-    const ReferenceResult found =
-        !estimates
-            ? ReferenceResult{Vec2(axes.cwiseProduct(wanted) + (Vec2::Ones() - axes).cwiseProduct(r)), first, 1, false}
-        : settings_.iteration == Iteration::kLoop
-            ? iterate_reference(estimate, wanted, r, axes, settings_.zmp_threshold, settings_.max_iterations)
-            : solve_reference(estimate, wanted, r, axes, slope, settings_.zmp_threshold);
-    const Desired modified = desired(found.zmp_ref);
-    for (int i = 0; i < 2; ++i) {
-      if (axes[i] == 0.0) continue;
-      c.x_d[i] = modified.x_d[i];
-      c.v_d[i] = modified.v_d[i];
-      c.f[i] = modified.f[i];
-      reference[i] = found.zmp_ref[i];
-      out_.zmp_first[i] = to_W(first)[i];
-    }
-    zmp = found.zmp_est;
-    out_.iterations = found.passes;
-  }
-
-  f_xy_ = R_S_ * c.f;
-  out_.zmp_des = to_W(axes.cwiseProduct(wanted) + (Vec2::Ones() - axes).cwiseProduct(estimates ? zmp : r));
-  out_.zmp_est = to_W(estimates ? zmp : estimate_of(c.f));
-  out_.zmp_ref = to_W(reference);
-  out_.zmp_lower = to_W(bounds.lower);
-  out_.zmp_upper = to_W(bounds.upper);
-  com_des_ = to_W(c.x_d);
-  dcom_des_ = R_S_ * c.v_d;
-  out_.com_des << com_des_, ground_ + com_height_ - crouch_;
-  out_.dcom_des << dcom_des_, -dcrouch_;
-  out_.v_des << R_H_.transpose() * dcom_des_, gait.v_plan.z();
+  for (int i = 0; i < 2; ++i)
+    if (r.modified[i] != 0.0) out_.zmp_first[i] = cycle.to_W(r.zmp_first)[i];
+  out_.zmp_slope = r.zmp_slope;
+  out_.zmp_modified = r.modified;
+  out_.iterations = r.iterations;
+  out_.com_des << com_des_, height_.z();
+  out_.dcom_des << dcom_des_, height_.dz();
+  out_.v_des << cycle.R_WH.transpose() * dcom_des_, gait.v_plan.z();
   if (gait.at_rest)
     tracker_.reset();
   else
-    tracker_.advance(out_.v_des.x(), gait.v_plan.x(), dt);
+    tracker_.advance(out_.v_des.x(), gait.v_plan.x(), settings_.control_dt);
   out_.v_error_integral.x() = tracker_.integral();
 }
 
-void WalkingController::clip_torque(const GaitOutput& gait) {
+void WalkingController::limit_torque(const GaitOutput& gait) {
   const VecX& limit = robot_.torque_limit();
+  out_.f_c = result_.f_c;
+  out_.damped = result_.damped;
   out_.torque_ratio = (result_.tau.cwiseAbs().array() / limit.array()).maxCoeff();
   out_.saturated = !(out_.torque_ratio <= 1.0);
   out_.tau = result_.tau.cwiseMax(-limit).cwiseMin(limit);
@@ -586,20 +337,31 @@ void WalkingController::clip_torque(const GaitOutput& gait) {
   out_.zmp_est = cut.zmp;
 }
 
-void WalkingController::check_fall(const GaitOutput& gait) {
+void WalkingController::note(const Cycle& cycle) {
   const Dynamics& dyn = robot_.dynamics();
-  const double height = dyn.com.z() - std::max(dyn.sole[kLeft].p_WF.z(), dyn.sole[kRight].p_WF.z());
-  const double tilt = std::acos(std::clamp((dyn.R_WB * R_HB_.transpose())(2, 2), -1.0, 1.0));
+  const GaitOutput& gait = *cycle.gait;
+  out_.com = dyn.com;
+  out_.dcom = dyn.dcom;
+  out_.heading = gait.heading;
+  out_.at_rest = gait.at_rest;
+  out_.v_plan = gait.v_plan;
+  out_.phase = static_cast<int>(gait.phase.phase);
+  out_.support = static_cast<int>(side_sign(gait.support));
+  out_.step = gait.phase.step;
+  out_.phase_time = gait.phase.time;
+  out_.w_T = gait.w_T;
+  out_.foothold << gait.foothold.p, gait.foothold.yaw;
+  out_.zmp_lower = cycle.to_W(gait.room.lower);
+  out_.zmp_upper = cycle.to_W(gait.room.upper);
+  for (const Side side : kSides) {
+    const Eigen::Quaterniond q(dyn.sole[side].R_WF);
+    out_.foot[side] << dyn.sole[side].p_WF, q.w(), q.x(), q.y(), q.z();
+  }
   if (!out_.tau.allFinite()) {
     out_.fell = Fall::kNonFinite;
     out_.tau.setZero();
-  } else if (height < settings_.fall_height * com_height_) {
-    out_.fell = Fall::kHeight;
-  } else if (tilt > settings_.fall_tilt) {
-    out_.fell = Fall::kTilt;
-  } else if (gait.phase.phase == Phase::kSingleSupport &&
-             dyn.sole[gait.support].R_WF.col(2).dot(up_[gait.support]) < std::cos(settings_.fall_foot_tilt)) {
-    out_.fell = Fall::kFootTipped;
+  } else if (const Fall fall = fall_.check(dyn, gait); fall != Fall::kNone) {
+    out_.fell = fall;
   }
 }
 

@@ -34,6 +34,12 @@ class Mailbox {
     return true;
   }
 
+  /// Forgets what was not taken.
+  void clear() {
+    Vec3 stale;
+    take(stale);
+  }
+
  private:
   std::mutex writing_;
   std::atomic<unsigned> sequence_{0};

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <mujoco/mujoco.h>
-
 #include <map>
 #include <string>
 #include <vector>
 
 #include "zmpwalk/math/types.hpp"
+#include "zmpwalk/robot/mujoco_types.hpp"
 
 namespace zmpwalk {
 

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <mujoco/mujoco.h>
-
 #include "zmpwalk/math/types.hpp"
+#include "zmpwalk/robot/mujoco_types.hpp"
 #include "zmpwalk/robot/robot.hpp"
 
 namespace zmpwalk {

@@ -1,13 +1,12 @@
 #pragma once
 
-#include <mujoco/mujoco.h>
-
 #include <array>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "zmpwalk/math/types.hpp"
+#include "zmpwalk/robot/mujoco_types.hpp"
 
 namespace zmpwalk {
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <mujoco/mujoco.h>
-
 #include <memory>
 #include <string>
 #include <vector>
@@ -9,16 +7,10 @@
 #include "zmpwalk/control/dynamics.hpp"
 #include "zmpwalk/robot/actuation.hpp"
 #include "zmpwalk/robot/description.hpp"
+#include "zmpwalk/robot/mujoco_types.hpp"
+#include "zmpwalk/robot/state.hpp"
 
 namespace zmpwalk {
-
-struct MjDataDeleter {
-  void operator()(mjData* d) const { mj_deleteData(d); }
-};
-using MjDataPtr = std::unique_ptr<mjData, MjDataDeleter>;
-
-/// Name of a MuJoCo object, or "" where it has none.
-std::string object_name(const mjModel* m, mjtObj type, int id);
 
 /// Hip pitch, knee and ankle pitch axes of a leg at the start pose, seen from the side (x forward, z up).
 struct RobotLeg {
@@ -26,6 +18,8 @@ struct RobotLeg {
   double shank = 0.0;                ///< knee to ankle [m]
   Vec2 hip_to_ankle = Vec2::Zero();  ///< [m]
   int knee = 0;                      ///< joint index
+  double knee_armature = 0.0;        ///< rotor inertia seen at the knee [kg m^2]
+  double knee_damping = 0.0;         ///< [N m s/rad]
 };
 
 /// One robot inside a MuJoCo model: mjModel and mjData on one side, `Dynamics` on the other.
@@ -42,6 +36,10 @@ class Robot {
   /// A, b, g from mj_crb, mj_rne and mj_passive; Jdot dq by the pass with ddq = 0 along each leg.
   /// Joint dry friction enters b as c tanh(dq / friction_velocity).
   void read(const mjData* d);
+  /// The same from numbers alone: the same bits for the same q and dq. Allocates nothing.
+  void read(const State& state);
+  /// Position, velocity and time of the robot in `d`; what is sensed stays as it is. Allocates nothing.
+  void observe(const mjData* d, State& out) const;
   /// The same from the terms that `d` holds already: right after mj_step1 or mj_forward for this very state. The same bits.
   /// Allocates nothing.
   void read_computed(const mjData* d);
@@ -49,8 +47,8 @@ class Robot {
   void require_computed(const mjData* d) const;
   const Dynamics& dynamics() const { return dynamics_; }
   /// The robot's own part of qpos (nv + 1,) and qvel (nv,), as last read.
-  Eigen::Map<const VecX> qpos() const { return {data_->qpos + qpos0_, nv_ + 1}; }
-  Eigen::Map<const VecX> qvel() const { return {data_->qvel + dof0_, nv_}; }
+  Eigen::Map<const VecX> qpos() const;
+  Eigen::Map<const VecX> qvel() const;
 
   /// @throws InputError where `d` was made for a model of another size. Allocates nothing otherwise.
   void require_data(const mjData* d) const;
@@ -61,6 +59,8 @@ class Robot {
   void write_torque(const ConstVecRef& tau, mjData* d) const { actuation_.write(tau, d, data_.get()); }
 
   const mjModel* model() const { return m_; }
+  double timestep() const;        ///< of the model [s]
+  bool contacts_enabled() const;  ///< the model's option flags leave contacts on
   const RobotDescription& description() const { return description_; }
   int nv() const { return nv_; }
   int joints() const { return nv_ - 6; }
@@ -70,7 +70,7 @@ class Robot {
   int foot_body(Side side) const { return foot_body_[side]; }
   /// True for bodies that are the foot or hang from it.
   bool is_foot(Side side, int body) const;
-  bool is_robot(int body) const { return m_->body_rootid[body] == root_body_; }
+  bool is_robot(int body) const;
   const std::vector<std::string>& joint_names() const { return joint_names_; }
   /// How the torque of each joint reaches MuJoCo (joints,).
   const std::vector<JointDrive>& drives() const { return actuation_.drives(); }
@@ -112,6 +112,8 @@ class Robot {
     std::vector<int> chain;  // bodies from the root to the foot
     std::vector<int> dofs;   // robot's dof indices that move it
   };
+  void copy_state(const double* q, const double* dq);  // into the robot's own mjData
+  void compute();  // every term of `dynamics()`, from the state in the robot's own mjData
   void check_stand(const mjModel* m) const;
   void collect(const mjData* d);
   void read_sole(const SoleFrame& frame, const mjData* d, SoleState& out) const;

@@ -1,19 +1,21 @@
 #pragma once
 
-#include <mujoco/mujoco.h>
-
-#include <memory>
-#include <string>
-
 #include "zmpwalk/control/whole_body.hpp"
 #include "zmpwalk/gait/gait_generator.hpp"
-#include "zmpwalk/gait/joint_motion.hpp"
 #include "zmpwalk/gait/plan.hpp"
 #include "zmpwalk/gait/velocity_tracker.hpp"
 #include "zmpwalk/math/mailbox.hpp"
 #include "zmpwalk/robot/robot.hpp"
 #include "zmpwalk/settings.hpp"
+#include "zmpwalk/walk/arm_swing.hpp"
+#include "zmpwalk/walk/body_motion.hpp"
+#include "zmpwalk/walk/com_height.hpp"
+#include "zmpwalk/walk/com_reference.hpp"
+#include "zmpwalk/walk/control_clock.hpp"
+#include "zmpwalk/walk/cycle.hpp"
 #include "zmpwalk/walk/cycle_output.hpp"
+#include "zmpwalk/walk/fall_watch.hpp"
+#include "zmpwalk/walk/leg_reach.hpp"
 #include "zmpwalk/zmp/bounds.hpp"
 #include "zmpwalk/zmp/estimate.hpp"
 
@@ -25,13 +27,14 @@ enum class Terms {
   kInData    ///< `data` holds them: mj_step1 or mj_forward has just run for this state
 };
 
-/// One `update(data) -> CycleOutput` per control cycle: state in, torque out.
+/// One `update(state) -> CycleOutput` per control cycle: state in, torque out.
 ///
-/// Reads the state, asks the gait where to go, turns the desired ZMP into a desired COM state (16), computes the torque that realises
-/// it (1)-(8), estimates the ZMP of that torque (9)-(15), corrects the reference until both agree (III-B), writes the torque.
+/// It conducts and decides nothing itself. Each cycle asks the gait where to go, turns the desired ZMP into a desired COM state (16),
+/// computes the torque that realises it (1)-(8), estimates the ZMP of that torque (9)-(15), and corrects the reference until both
+/// agree (III-B). A state is plain numbers; where it comes from a simulator, `update(data)` reads it and writes the torque.
 class WalkingController {
  public:
-  /// @param model must outlive the controller
+  /// @param model must outlive the controller: what the controller believes about the robot, which may differ from the robot it walks
   /// @throws ModelError, InputError (settings, a profile faster than the legs reach)
   WalkingController(const mjModel* model, const RobotDescription& description,
                     const WalkSettings& settings = WalkSettings(),
@@ -39,29 +42,35 @@ class WalkingController {
   WalkingController(const WalkingController&) = delete;
   WalkingController& operator=(const WalkingController&) = delete;
 
-  /// Reads the state in `data` and starts a walk there; moves nothing. @throws InputError the state is not finite
+  /// Starts a walk from `state`; moves nothing. @throws InputError the state is not finite, DimensionError
+  void reset(const State& state);
+  /// The same for the state in `data`.
   void reset(const mjData* data);
 
-  /// One physics step's worth of control: computes a torque when a control period has gone by, else holds; writes data->ctrl.
+  /// The torque for `state`, in `output().tau`; nothing outside the controller changes.
+  ///
+  /// A new torque is computed when a control period has gone by since the last, by `state.time`; until then the last one is held.
+  /// @throws InputError the state is not finite, its time is not, or has gone back; reset was never called. DimensionError.
+  ///         Nothing is changed then. Allocates nothing.
+  const CycleOutput& update(const State& state);
+  /// The same for the state in `data`, in which it sets the control that gives the torque.
   ///
   /// With Terms::kInData nothing is computed twice; the torque has the same bits.
-  /// @throws InputError the state is not finite, or the terms in `data` belong to another (nothing is changed); reset was
-  ///         never called. Allocates nothing.
-  const CycleOutput& update(mjData* data, Terms terms = Terms::kCompute);
+  /// @param sensed  what is felt or known beside position and velocity; nothing by default
+  /// @throws as above, and InputError where the terms in `data` belong to another state
+  const CycleOutput& update(mjData* data, Terms terms = Terms::kCompute, const Sensed& sensed = Sensed());
 
   /// From the next cycle on, walk with this velocity in the heading frame instead of the profile's; until `reset`.
   ///
-  /// May be called from any thread, while another updates. What the legs cannot reach is scaled down to `within_reach`; how fast
+  /// May be called from any thread, while another updates. What the legs cannot reach is scaled down to `reach().within`; how fast
   /// the robot takes it up is limited (`forward_acceleration`, ...).
   /// @param velocity (v_x, v_y, w_z) [m/s, m/s, rad/s]. @throws InputError not finite
   void command(const Vec3& velocity);
 
-  /// Joints outside the legs, and the trunk, follow `motion` from the last cycle on, reached within `motion_blend` without a jump; what it
-  /// does not name goes back to the stand. `reset` begins the motion anew. Call it between cycles.
-  /// @throws InputError a name that is no joint, or a leg's; a joint beyond its range, the trunk turned by more than half of
-  ///         `fall_tilt`; posture_task off. Nothing is changed then.
+  /// Joints outside the legs, and the trunk, follow `motion` from the last cycle on: `BodyMotion::follow`. `reset` begins the motion anew.
+  /// Call it between cycles. @throws as there; nothing is changed then
   void move(const JointMotion& motion);
-  const JointMotion& motion() const { return reference_.motion(); }
+  const JointMotion& motion() const { return body_.motion(); }
 
   const CycleOutput& output() const { return out_; }
   // What the last cycle asked of the whole body.
@@ -72,19 +81,11 @@ class WalkingController {
   const WholeBodyController& whole_body() const { return whole_body_; }
   const VelocityProfile& profile() const { return profile_; }
   const Robot& robot() const { return robot_; }
-  double com_height() const { return com_height_; }                   ///< z_c over the soles [m]
-  double Tc() const { return pendulum_.Tc(); }                        ///< [s]
+  const LegReach& reach() const { return reach_; }                    ///< which velocities the legs can walk
+  double com_height() const { return height_.z_c(); }                 ///< z_c over the soles [m]
+  double Tc() const { return height_.pendulum().Tc(); }               ///< [s]
   const ZmpBounds& bounds(Side side) const { return bounds_[side]; }  ///< in the sole's axes, about its centre
 
-  /// Share of the legs' reach that walking with `velocity` takes: beside 1 the knee is nearly straight, or the hip turned to its end.
-  ///
-  /// In double support an ankle is v_x (T + T_ds)/2 ahead of or behind its hip, at most |v_y| T beside it, and turned by
-  /// w_z (T + T_ds)/2; T and T_ds are the cadence's for that velocity. The knees bend up to `crouch_limit` for it.
-  double reach_share(const Vec3& velocity) const;
-  /// `velocity`, made smaller until its `reach_share` is at most 1.
-  Vec3 within_reach(const Vec3& velocity) const;
-  /// Largest v_x within reach [m/s].
-  double speed_limit() const { return within_reach({kTooFast, 0.0, 0.0}).x(); }
   /// Share of the knee's torque limit that its own rotor and damping take at lift-off when walking at `speed` [m/s]; see `zmpwalk::knee_share`.
   double knee_share(double speed) const;
   /// Largest difference between the speed of a footstep list and of the profile within `duration` [s]; 0 where steps follow the profile [m/s].
@@ -94,65 +95,42 @@ class WalkingController {
   WalkPlan plan(double duration, double dt) const;
 
  private:
-  static constexpr double kTooFast = 10.0;  // no biped's walk [m/s]
-  struct Desired {                          // what a reference ZMP leads to, in S
-    Vec2 x_d, v_d, f;                       // next COM state (16), commanded acceleration (8)
-  };
-  Desired desired(const Vec2& r) const;
   GaitInput gait_input(double t, const Vec2& com, const Vec2& dcom) const;
-  void task_accelerations(const GaitOutput& gait);
-  void swing_arms(const GaitOutput& gait);
-  int coordinate(const std::string& name) const;
-  void choose_reference(const GaitOutput& gait);
-  void clip_torque(const GaitOutput& gait);
-  void check_fall(const GaitOutput& gait);
-  double stride(const Vec3& velocity) const;  // how far along the ground `velocity` takes an ankle from its hip [m]
-  double reach(double crouch) const;          // how far the legs reach that way with the COM lowered by `crouch` [m]
-  double crouch_for(double stride) const;     // how far the COM has to come down for it [m]
-  void set_height(double crouch);             // the pendulum's, and what follows from it
-  void move_height(double t, double stretch);
-  void check_profile() const;
+  void require_startable() const;
   double start_excursion(double scale) const;  // of the COM from the first stance foot, for the plan times `scale` [m]
+  void start();                                // a walk begins with the dynamics of this instant
+  void cycle(const State& state);
+  void command_tasks(const Cycle& cycle);
+  void decide_reference(const Cycle& cycle);
+  void limit_torque(const GaitOutput& gait);
+  void note(const Cycle& cycle);  // into the output
 
   Robot robot_;
-  MotionReference reference_;  // of the joints, then the trunk's roll, pitch, yaw
   VelocityProfile profile_;
-  double com_height_;
   SoleSize sole_;
   WalkSettings settings_;
-  LinearInvertedPendulum pendulum_;
   std::array<ZmpBounds, 2> bounds_;
+  ComHeight height_;
   GaitGenerator gait_;
+  LegReach reach_;
   VelocityTracker tracker_;
+  ComReference reference_;
+  BodyMotion body_;
+  ArmSwing arms_;
   WholeBodyController whole_body_;
   ZmpEstimator estimator_;
-
-  double hip_turn_;  // of the hips about the vertical [rad]
+  FallWatch fall_;
+  ControlClock clock_;
   Mailbox mailbox_;
 
-  // State of a walk
-  bool started_ = false;
-  double t_start_ = 0.0;
   GaitInput start_;
-  int ticks_per_cycle_ = 1;
-  long tick_ = 0;
-  double ground_ = 0.0;  // height of the soles at the start
-  double crouch_ = 0.0, dcrouch_ = 0.0,
-         ddcrouch_ = 0.0;   // how far the COM is to be under com_height_, and its derivatives
-  Mat3 R_HB_;               // trunk in the heading frame at the start
-  std::array<Vec3, 2> up_;  // normals of the soles at the start
+  Mat3 R_HB_;                                              // trunk in the heading frame at the start
   Vec2 com_des_ = Vec2::Zero(), dcom_des_ = Vec2::Zero();  // previous desired state, W
-
-  // Of this cycle
-  Vec2 x_, v_;            // "current" COM state of (16), S
-  Vec2 x_meas_, v_meas_;  // measured, S
-  Vec2 kp_, kd_, df_dr_;
-  Mat2 R_S_, R_H_;
-  Vec2 f_xy_ = Vec2::Zero();  // commanded COM acceleration, W
+  State state_;                                            // of this instant
+  // What this cycle asks of the whole body, and what comes of it.
   Stance stance_;
   TaskAccelerations f_star_;
-  std::vector<int> swinging_;  // arm joints that no motion names
-  VecX c_;                     // row of the yaw momentum
+  Vec2 f_xy_ = Vec2::Zero();  // commanded COM acceleration, W
   WholeBodyResult result_;
   CycleOutput out_;
   RowMatX J_c_;

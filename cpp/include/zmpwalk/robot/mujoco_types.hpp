@@ -1,0 +1,22 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+// MuJoCo's structs by name alone: a header that only passes them on need not include MuJoCo.
+struct mjModel_;
+struct mjData_;
+typedef struct mjModel_ mjModel;
+typedef struct mjData_ mjData;
+
+namespace zmpwalk {
+
+struct MjDataDeleter {
+  void operator()(mjData* d) const;
+};
+using MjDataPtr = std::unique_ptr<mjData, MjDataDeleter>;
+
+/// Name of a MuJoCo object of `type` (mjtObj), or "" where it has none.
+std::string object_name(const mjModel* m, int type, int id);
+
+}  // namespace zmpwalk

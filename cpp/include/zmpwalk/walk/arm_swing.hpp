@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "zmpwalk/control/whole_body.hpp"
+#include "zmpwalk/gait/joint_motion.hpp"
+#include "zmpwalk/robot/robot.hpp"
+#include "zmpwalk/settings.hpp"
+
+namespace zmpwalk {
+
+/// Arms that swing against the yaw momentum of legs and trunk (an addition to the paper).
+///
+/// With the row c of the yaw momentum, L_z = c dq, split into the swinging joints' part c_a dq_a and the rest,
+///     ddq_a = -c_a^+ dL_rest + k_d (-c_a^+ L_rest - dq_a) + k_p (q_ref - q_a):
+/// the arms cancel what the rest does while they keep their speed, bring L_z to zero at the rate k_d, and a soft spring k_p brings
+/// them home. Their limits are approached as a critically damped joint would.
+class ArmSwing {
+ public:
+  /// @param settings resolved
+  /// @throws InputError momentum_arms > 0 for a robot without arms, or without the posture task
+  ArmSwing(const Robot& robot, const WalkSettings& settings);
+
+  bool on() const { return share_ > 0.0; }
+  /// Joints that `reference` names follow it and do not swing.
+  void leave_to(const MotionReference& reference);
+  /// Writes the accelerations of the swinging joints into `f_star.posture`. Allocates nothing.
+  ///
+  /// @param f_xy COM acceleration of the cycle before, W (2,) [m/s^2]   @param turning planned rate of turning w_z [rad/s]
+  void command(const Dynamics& dynamics, const Stance& stance, const Vec2& f_xy, double turning,
+               const MotionReference& reference, WholeBodyController& whole_body, TaskAccelerations& f_star);
+
+ private:
+  double share_, kp_, kd_;
+  std::vector<int> arms_, swinging_;              // joint indices
+  std::vector<std::pair<double, double>> range_;  // of each joint
+  VecX c_;                                        // row of the yaw momentum
+};
+
+}  // namespace zmpwalk

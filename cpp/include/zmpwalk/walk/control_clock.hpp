@@ -1,0 +1,31 @@
+#pragma once
+
+namespace zmpwalk {
+
+/// The one clock that a walk lives by: the time of the states it is given, whatever the rate of the calls.
+class ControlClock {
+ public:
+  /// @param control_dt control period [s]
+  explicit ControlClock(double control_dt) : control_dt_(control_dt) {}
+
+  /// The walk starts at `time` [s].
+  void reset(double time);
+  bool started() const { return started_; }
+  /// @throws InputError  reset was never called; a time that is not finite, or that lies before the last one. Changes nothing.
+  void require(double time) const;
+  /// A control period has gone by since the last cycle.
+  bool due(double time) const;
+  /// A cycle is computed at `time`.
+  void tick(double time);
+  /// No cycle is computed at `time`.
+  void hold(double time) { last_ = time; }
+
+  double since_start(double time) const { return time - start_; }  ///< [s]
+
+ private:
+  double control_dt_;
+  double start_ = 0.0, last_ = 0.0, next_ = 0.0;
+  bool started_ = false;
+};
+
+}  // namespace zmpwalk

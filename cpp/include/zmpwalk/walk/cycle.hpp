@@ -1,0 +1,30 @@
+#pragma once
+
+#include "zmpwalk/control/dynamics.hpp"
+#include "zmpwalk/gait/gait_generator.hpp"
+#include "zmpwalk/gait/pendulum.hpp"
+#include "zmpwalk/math/types.hpp"
+
+namespace zmpwalk {
+
+/// One instant as the laws of the walk see it: the frames, and the COM in the support frame S.
+///
+/// S has its origin at the support sole's centre and its x along that sole; H is the heading frame of the walk. Both are horizontal.
+struct Cycle {
+  double t = 0.0;                                    ///< since the walk began [s]
+  const Dynamics* dynamics = nullptr;                ///< of this instant
+  const GaitOutput* gait = nullptr;                  ///< of this instant
+  const LinearInvertedPendulum* pendulum = nullptr;  ///< of this instant's COM height
+  Mat2 R_WS = Mat2::Identity(), R_WH = Mat2::Identity();
+  Vec2 com_S = Vec2::Zero(), dcom_S = Vec2::Zero();            ///< "current" COM state of (16), (17) [m, m/s]
+  Vec2 com_meas_S = Vec2::Zero(), dcom_meas_S = Vec2::Zero();  ///< measured COM state [m, m/s]
+
+  Vec2 to_S(const Vec2& p_W) const { return R_WS.transpose() * (p_W - gait->origin); }
+  Vec2 to_W(const Vec2& p_S) const { return gait->origin + R_WS * p_S; }
+};
+
+/// @param com, dcom  "current" COM state of (16), W (2,) [m, m/s]
+Cycle cycle_of(double t, const Dynamics& dynamics, const GaitOutput& gait, const LinearInvertedPendulum& pendulum,
+               const Vec2& com, const Vec2& dcom);
+
+}  // namespace zmpwalk

@@ -1,0 +1,52 @@
+#include "zmpwalk/walk/arm_swing.hpp"
+
+#include <algorithm>
+
+#include "zmpwalk/control/momentum.hpp"
+#include "zmpwalk/math/error.hpp"
+
+namespace zmpwalk {
+
+ArmSwing::ArmSwing(const Robot& robot, const WalkSettings& settings)
+    : share_(settings.momentum_arms),
+      kp_(settings.momentum_kp),
+      kd_(settings.momentum_kd),
+      arms_(robot.arm_joints()),
+      swinging_(arms_),
+      c_(VecX::Zero(robot.nv())) {
+  if (on() && (arms_.empty() || !settings.posture_task))
+    throw InputError("momentum_arms = " + std::to_string(share_) +
+                     " needs the posture task and joints outside the legs that carry less than a fifth of the robot; 0 "
+                     "does without");
+  for (int j = 0; j < robot.joints(); ++j) range_.push_back(robot.joint_range(j));
+}
+
+void ArmSwing::leave_to(const MotionReference& reference) {
+  swinging_.clear();
+  for (const int j : arms_)
+    if (!reference.names(j)) swinging_.push_back(j);
+}
+
+void ArmSwing::command(const Dynamics& dyn, const Stance& stance, const Vec2& f_xy, double turning,
+                       const MotionReference& reference, WholeBodyController& whole_body, TaskAccelerations& f_star) {
+  for (const int j : swinging_) f_star.posture[j] = 0.0;
+  whole_body.prepare(dyn, stance, f_star);
+  yaw_momentum_row(dyn, c_);
+  // A robot that turns as planned keeps the momentum of turning as one body.
+  double L_rest = c_.dot(dyn.dq) - turning * c_.segment<3>(3).dot(dyn.R_WB.row(2)), square = 0.0;
+  for (const int j : swinging_) {
+    L_rest -= c_[6 + j] * dyn.dq[6 + j];
+    square += c_[6 + j] * c_[6 + j];
+  }
+  if (!(square > 0.0)) return;
+  const double dL_rest = whole_body.yaw_moment(f_xy), share = -share_ / square;
+  for (const int j : swinging_) {
+    const double q = dyn.q[j], dq = dyn.dq[6 + j], c_inv = share * c_[6 + j];
+    const double ddq = reference.ddq()[j] + c_inv * dL_rest +
+                       pd_acceleration(kp_, kd_, reference.q()[j] - q, reference.dq()[j] + c_inv * L_rest - dq);
+    const auto [low, high] = range_[j];
+    f_star.posture[j] = std::clamp(ddq, kd_ * (0.25 * kd_ * (low - q) - dq), kd_ * (0.25 * kd_ * (high - q) - dq));
+  }
+}
+
+}  // namespace zmpwalk

@@ -1,0 +1,37 @@
+#include "zmpwalk/walk/control_clock.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "zmpwalk/math/error.hpp"
+
+namespace zmpwalk {
+namespace {
+
+/// Times are sums of time steps: a period counts as over when all but this share of it has gone by.
+constexpr double kEarly = 1e-3;
+
+}  // namespace
+
+void ControlClock::reset(double time) {
+  start_ = last_ = next_ = time;
+  started_ = true;
+}
+
+void ControlClock::require(double time) const {
+  if (!started_) throw InputError("update was called before reset");
+  if (!std::isfinite(time)) throw InputError("the state's time is " + std::to_string(time) + "; it must be finite");
+  if (time < last_)
+    throw InputError("time has gone back from " + std::to_string(last_) + " s to " + std::to_string(time) +
+                     " s; call reset to start a walk anew");
+}
+
+bool ControlClock::due(double time) const { return time >= next_ - kEarly * control_dt_; }
+
+void ControlClock::tick(double time) {
+  last_ = time;
+  // From the time that was due, so that rounding does not add up; after a gap, from now.
+  next_ = time - next_ < control_dt_ ? next_ + control_dt_ : time + control_dt_;
+}
+
+}  // namespace zmpwalk

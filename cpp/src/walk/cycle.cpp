@@ -1,0 +1,23 @@
+#include "zmpwalk/walk/cycle.hpp"
+
+#include "zmpwalk/math/rotation.hpp"
+
+namespace zmpwalk {
+
+Cycle cycle_of(double t, const Dynamics& dynamics, const GaitOutput& gait, const LinearInvertedPendulum& pendulum,
+               const Vec2& com, const Vec2& dcom) {
+  Cycle c;
+  c.t = t;
+  c.dynamics = &dynamics;
+  c.gait = &gait;
+  c.pendulum = &pendulum;
+  c.R_WS = rotation_z(gait.yaw).topLeftCorner<2, 2>();
+  c.R_WH = rotation_z(gait.heading).topLeftCorner<2, 2>();
+  c.com_S = c.to_S(com);
+  c.dcom_S = c.R_WS.transpose() * dcom;
+  c.com_meas_S = c.to_S(dynamics.com.head<2>());
+  c.dcom_meas_S = c.R_WS.transpose() * dynamics.dcom.head<2>();
+  return c;
+}
+
+}  // namespace zmpwalk

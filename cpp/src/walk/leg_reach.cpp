@@ -1,0 +1,75 @@
+#include "zmpwalk/walk/leg_reach.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "zmpwalk/math/error.hpp"
+
+namespace zmpwalk {
+
+std::string velocity_text(const Vec3& v) {
+  return std::to_string(v.x()) + " m/s, " + std::to_string(v.y()) + " m/s, " + std::to_string(v.z()) + " rad/s";
+}
+
+LegReach::LegReach(const Robot& robot, const WalkSettings& settings, const Cadence& cadence)
+    : leg_{robot.leg_at_stand(kLeft), robot.leg_at_stand(kRight)},
+      hip_turn_(robot.hip_turn()),
+      least_knee_(settings.least_knee),
+      crouch_limit_(settings.crouch_limit),
+      crouch_margin_(settings.crouch_margin),
+      cadence_(cadence) {}
+
+double LegReach::along_ground(double crouch) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const RobotLeg& leg : leg_) {
+    const double length_2 =
+        leg.thigh * leg.thigh + leg.shank * leg.shank + 2.0 * leg.thigh * leg.shank * std::cos(least_knee_);
+    const double height = std::abs(leg.hip_to_ankle.y()) - crouch;
+    least = std::min(least, std::sqrt(std::max(length_2 - height * height, 0.0)) - std::abs(leg.hip_to_ankle.x()));
+  }
+  return std::max(least, 0.0);
+}
+
+double LegReach::stride(const Vec3& velocity) const {
+  const StepTimes times = cadence_.times(velocity);
+  const double along = 0.5 * (times.period() + times.T_ds) * velocity.x(), aside = times.period() * velocity.y();
+  return std::hypot(along, aside);
+}
+
+double LegReach::crouch_for(double stride) const {
+  const double wanted = crouch_margin_ * stride;
+  if (wanted <= along_ground(0.0)) return 0.0;
+  double less = 0.0, enough = crouch_limit_;
+  for (int i = 0; i < 12; ++i) {
+    const double middle = 0.5 * (less + enough);
+    (along_ground(middle) >= wanted ? enough : less) = middle;
+  }
+  return enough;
+}
+
+double LegReach::share(const Vec3& velocity) const {
+  const StepTimes times = cadence_.times(velocity);
+  const double turn = 0.5 * (times.period() + times.T_ds) * velocity.z();
+  return std::max(stride(velocity) / along_ground(crouch_limit_), std::abs(turn) / hip_turn_);
+}
+
+Vec3 LegReach::within(const Vec3& velocity) const {
+  if (share(velocity) <= 1.0) return velocity;
+  double possible = 0.0, impossible = 1.0;
+  for (int i = 0; i < 40; ++i) {
+    const double middle = 0.5 * (possible + impossible);
+    (share(middle * velocity) <= 1.0 ? possible : impossible) = middle;
+  }
+  return possible * velocity;
+}
+
+void LegReach::require_within(const VelocityProfile& profile) const {
+  for (const Vec3& v : profile.v())
+    if (share(v) > 1.0)
+      throw InputError("the profile asks for (v_x, v_y, w_z) = (" + velocity_text(v) +
+                       "); this robot's legs reach as far as (" + velocity_text(within(v)) + ") at a step period of " +
+                       std::to_string(cadence_.times(v).period()) + " s, and " + std::to_string(speed_limit()) +
+                       " m/s straight ahead");
+}
+
+}  // namespace zmpwalk

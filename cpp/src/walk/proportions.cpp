@@ -1,0 +1,46 @@
+#include "zmpwalk/walk/proportions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace zmpwalk {
+
+double height_over_soles(const Dynamics& dyn) {
+  return dyn.com.z() - 0.5 * (dyn.sole[kLeft].p_WF.z() + dyn.sole[kRight].p_WF.z());
+}
+
+RobotScale scale_of(const Robot& robot) {
+  const Dynamics& dyn = robot.dynamics();
+  const RobotLeg leg = robot.leg_at_stand(kLeft);
+  RobotScale scale{height_over_soles(dyn), dyn.gravity.norm(), robot.timestep(),
+                   (dyn.sole[kLeft].p_WF - dyn.sole[kRight].p_WF).head<2>().norm()};
+  // Law of cosines over hip, knee and ankle: d(length)/d(angle) = thigh shank sin(angle) / length.
+  const double length = leg.hip_to_ankle.norm();
+  const double cosine =
+      (length * length - leg.thigh * leg.thigh - leg.shank * leg.shank) / (2.0 * leg.thigh * leg.shank);
+  scale.hip_to_ankle = length;
+  scale.knee_per_lift = length / (leg.thigh * leg.shank * std::sqrt(std::max(1.0 - cosine * cosine, 1e-4)));
+  scale.knee_armature = leg.knee_armature;
+  scale.knee_damping = leg.knee_damping;
+  scale.knee_torque = robot.torque_limit()[leg.knee];
+  return scale;
+}
+
+SoleSize common_sole(const RobotDescription& description) {
+  const auto& [left, right] = description.feet;
+  return {std::max(left.length, right.length), std::min(left.width, right.width)};
+}
+
+ZmpBounds bounds_of(const Robot& robot, Side side, const WalkSettings& settings) {
+  const Foot& foot = robot.description().feet[side];
+  const auto& leg = robot.leg_joints()[side];
+  const Vec3 ankle = robot.ankle_in_sole(side);
+  const Dynamics& dyn = robot.dynamics();
+  const int pitch = robot.pitch_joint(side, 4, 6);
+  const int roll = leg[4] == pitch ? leg[5] : leg[4];
+  const SoleLimits limits{foot.length, foot.width, ankle.head<2>(), robot.torque_limit()[pitch],
+                          robot.torque_limit()[roll]};
+  return zmp_bounds(limits, dyn.mass * dyn.gravity.norm(), settings.sole_fraction, settings.ankle_torque_fraction);
+}
+
+}  // namespace zmpwalk
