@@ -1,7 +1,7 @@
 """Robots stripped of their marks, described by `inspect`, walking: `python benchmarks/bare_robots.py mahru FOLDER...`.
 
 Each is a robot's name or a folder with a `robot.json` and its MJCF. Sole sites, the sensors on them and keyframes are
-taken out of the MJCF's text, `zmpwalk.proposal` describes what is left, and the proposal walks at three Froude numbers
+taken out of the MJCF's text, `zmpwalk.robots` describes what is left, and the proposal walks at three Froude numbers
 v / sqrt(g z_c). Prints a table: how far the proposed soles and T_c are from the file's, and each walk's figures.
 """
 
@@ -14,8 +14,7 @@ import mujoco
 import numpy as np
 import zmpwalk
 from zmpwalk import analysis
-from zmpwalk.description import robot_file
-from zmpwalk.proposal import appraise, propose, write_description
+from zmpwalk.robots import appraise, propose, robot_file, write_description
 
 FROUDE = (0.03, 0.06, 0.0935)
 RAMP = 3.0  # to full speed [s]

@@ -1,7 +1,7 @@
 """Which humanoids of MuJoCo Menagerie walk: `python benchmarks/menagerie.py [NAME...]`, Python 3.11 or later.
 
 Needs the package mujoco-menagerie (`pip install "zmpwalk[robots]"`) and its downloads, or a checkout in MENAGERIE_ROOT.
-Each robot is described by `zmpwalk.proposal` and walks with the defaults. Prints the table of docs/menagerie.md.
+Each robot is described by `zmpwalk.robots` and walks with the defaults. Prints the table of docs/menagerie.md.
 """
 
 import argparse
@@ -9,8 +9,8 @@ import argparse
 import mujoco
 import numpy as np
 import zmpwalk
-from zmpwalk.menagerie import PREFIX, menagerie_humanoids
-from zmpwalk.proposal import examine
+from zmpwalk.robots import examine
+from zmpwalk.robots.menagerie import PREFIX, menagerie_humanoids
 
 FROUDE = 0.06
 RAMP = 3.0  # to full speed [s]

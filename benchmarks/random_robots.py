@@ -17,7 +17,7 @@ from pages import write_blocks
 from rich.console import Console
 from rich.progress import track
 from zmpwalk import analysis
-from zmpwalk.proposal import propose
+from zmpwalk.robots import propose
 
 FROUDE, RAMP, DURATION = 0.06, 3.0, 10.0  # of the walk: speed, [s], [s]
 REASONS = ("torque: ", "reach: ", "a usual walk", "the soles are meshes", "cannot hold", "refuses it")  # in remarks

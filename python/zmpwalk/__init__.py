@@ -10,7 +10,9 @@ from __future__ import annotations
 
 import os
 import sys
+from importlib import import_module
 from types import ModuleType
+from typing import Any
 
 from ._check_mujoco import load_mujoco as _load_mujoco
 from .errors import DimensionError, Error, InputError, ModelError, VersionError
@@ -23,7 +25,7 @@ except VersionError as error:
         raise SystemExit(2) from None
     raise
 
-from . import analysis, errors
+from . import analysis, errors, simulation, trace
 from ._build import VERSION as __version__
 from ._core import (
     ContactSpace,
@@ -44,17 +46,18 @@ from ._core import (
     measured_zmp,
     solve_reference,
 )
-from .description import (
+from .motion import JointMotion
+from .profiles import VelocityProfile
+from .robots import (
     Foot,
+    Proposal,
     RobotDescription,
     available_robots,
     describe,
     load_robot,
+    propose,
     read_description,
 )
-from .motion import JointMotion
-from .profiles import VelocityProfile
-from .proposal import Proposal, propose
 from .settings import load_settings, settings_toml
 from .simulation import Recorder, WalkingController, simulate, simulate_batch
 from .trace import Trace
@@ -111,11 +114,19 @@ __all__ = [
 ]
 
 
+def _plot(*arguments: Any, **options: Any) -> Any:
+    """`Trace.plot`: matplotlib is slow to import, so only when something is to be drawn."""
+    from . import plot
+
+    return plot.draw(*arguments, **options)
+
+
+trace.ABOVE.update(plot=_plot, rerun=simulation.rerun)
+
+
 def __getattr__(name: str) -> ModuleType:
     """What is slow to import, imported when first asked for."""
     if name in ("plot", "render", "view"):
-        from importlib import import_module
-
         return import_module(f".{name}", __name__)
     raise AttributeError(f"module 'zmpwalk' has no attribute '{name}'")
 

@@ -7,7 +7,7 @@ integer has changed its scheme.
 
 from importlib import metadata
 
-from zmpwalk.errors import VersionError
+from .errors import VersionError
 
 __all__ = ["check_versions", "load_mujoco"]
 
@@ -54,7 +54,7 @@ def load_mujoco() -> None:
         VersionError: zmpwalk has not been built, or :func:`check_versions` refuses.
     """
     try:
-        from zmpwalk._build import MUJOCO_VERSION
+        from ._build import MUJOCO_VERSION
     except ImportError:
         raise VersionError(
             "zmpwalk has not been built: run `pip install .` in its source folder, and do not put python/ on the path"

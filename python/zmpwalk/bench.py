@@ -17,9 +17,10 @@ import mujoco
 import numpy as np
 
 from . import _core
-from .description import Robot, load_robot
+from .errors import InputError
 from .profiles import VelocityProfile
-from .simulation import Progress, WalkingController, simulate, simulate_batch
+from .robots import ROBOTS, Robot, load_robot
+from .simulation import Progress, WalkingController, check_duration, simulate, simulate_batch
 
 __all__ = ["PARTS", "bench", "tables"]
 
@@ -54,9 +55,6 @@ def bench(
 
     Usage: `zmpwalk.bench.bench(duration=8, parts=("cycle",))`
     """
-    from .errors import InputError
-    from .simulation import check_duration
-
     duration = check_duration(duration)
     for part in parts or ():
         if part not in PARTS:
@@ -267,7 +265,7 @@ def with_joints(joints: int) -> str:
 
     Usage: `mujoco.MjModel.from_xml_string(with_joints(40))`
     """
-    root = ElementTree.parse(Path(__file__).parent / "robots" / "mahru.xml").getroot()
+    root = ElementTree.parse(ROBOTS / "mahru.xml").getroot()
     sensor, actuator, key = (root.find(path) for path in ("sensor", "actuator", "keyframe/key"))
     assert sensor is not None and actuator is not None and key is not None  # it is our own file
     root.remove(sensor)

@@ -5,20 +5,34 @@ from __future__ import annotations
 import csv
 import math
 import os
-from typing import TYPE_CHECKING, Any, Callable, Mapping, Sequence
+from typing import Any, Callable, Mapping, Protocol, Sequence
 
 import mujoco
 import numpy as np
 
 from . import _core
 from .errors import InputError
-
-if TYPE_CHECKING:
-    from .simulation import WalkingController
+from .files import cause
 
 __all__ = ["JointMotion"]
 
 UNLIMITED = math.pi / 2  # how far from its stand a random motion takes a joint without limits [rad]
+
+
+class OfRobot(Protocol):
+    """What a random motion asks of a controller: the robot, and the names of its joints."""
+
+    @property
+    def model(self) -> mujoco.MjModel: ...
+
+    @property
+    def description(self) -> _core.RobotDescription: ...
+
+    @property
+    def joint_names(self) -> list[str]: ...
+
+    @property
+    def arm_joints(self) -> list[str]: ...
 
 
 class JointMotion(_core.JointMotion):
@@ -109,7 +123,7 @@ class JointMotion(_core.JointMotion):
     @classmethod
     def random(
         cls,
-        controller: WalkingController,
+        controller: OfRobot,
         seed: int,
         max_speed: float = 3.0,
         duration: float = 30.0,
@@ -119,7 +133,7 @@ class JointMotion(_core.JointMotion):
         """Random targets within the joints' limits, from the stand and back to it.
 
         Args:
-            controller: whose robot it is for.
+            controller: the `WalkingController` of the robot that it is for.
             seed: of the generator.
             max_speed: [rad/s or m/s] that no joint exceeds: its excursions are scaled down to it.
             duration: [s].
@@ -174,7 +188,7 @@ class JointMotion(_core.JointMotion):
             with open(name, newline="", encoding="utf-8-sig") as file:
                 rows = [(number, [cell.strip() for cell in row]) for number, row in enumerate(csv.reader(file), 1)]
         except OSError as error:
-            raise InputError(f"{name}: {(error.strerror or str(error)).lower()}") from None
+            raise InputError(f"{name}: {cause(error)}") from None
         except (UnicodeDecodeError, csv.Error) as error:
             raise InputError(f"{name}: not a CSV text file ({error})") from None
         rows = [(number, row) for number, row in rows if any(row) and not row[0].startswith("#")]

@@ -5,16 +5,28 @@ from __future__ import annotations
 import csv
 import math
 import os
-from typing import Any, Callable, Iterable, Sequence, Union
+import reprlib
+from numbers import Real
+from typing import Any, Callable, Iterable, Mapping, Sequence, Tuple, Union
 
 import numpy as np
 
 from . import _core
 from .errors import DimensionError, InputError
+from .files import cause
 
-__all__ = ["VelocityProfile"]
+__all__ = ["Profile", "VelocityProfile", "profile_of"]
 
 Velocity = Union[float, Sequence[float]]
+Profile = Union[
+    _core.VelocityProfile,
+    Velocity,
+    Sequence[Tuple[float, Velocity]],
+    Mapping[float, Velocity],
+    str,
+    "os.PathLike[str]",
+    None,
+]
 
 COLUMNS = ("t", "vx", "vy", "wz")
 
@@ -171,9 +183,9 @@ class VelocityProfile(_core.VelocityProfile):
         pairs = list(points)
         for pair in pairs:
             if not hasattr(pair, "__len__") or len(pair) != 2:
-                raise DimensionError(f"{pair!r} is not a pair (t, v)")
+                raise DimensionError(f"{reprlib.repr(pair)} is not a pair (t, v)")
         return cls(
-            [float(t) for t, _ in pairs],
+            [_time(t) for t, _ in pairs],
             np.array([three(v) for _, v in pairs]).reshape(-1, 3),
             interpolation,
         )
@@ -227,6 +239,58 @@ class VelocityProfile(_core.VelocityProfile):
         return f"VelocityProfile({{{', '.join(shown)}}} s: m/s, {self.interpolation})"
 
 
+def profile_of(profile: Profile) -> VelocityProfile:
+    """The velocity profile that was given in one of these forms.
+
+    Args:
+        profile: None takes `VelocityProfile.paper()`; a number is vx for ever [m/s], three numbers (vx, vy, wz) for
+            ever; a list of pairs (t, v), or a mapping of t to v, are the steps of `VelocityProfile.piecewise`; a
+            string is what the command line takes (`VelocityProfile.from_spec`); a path is a CSV file's.
+
+    Raises:
+        InputError, DimensionError: none of these, or values that make no profile; the message names the value.
+
+    Usage: `profile_of(0.2)`, `profile_of([(0, 0.1), (2, (0.2, 0, 0.1))])`, `profile_of("0:0.1,2:0.2")`
+    """
+    if profile is None:
+        return VelocityProfile.paper()
+    if isinstance(profile, _core.VelocityProfile):
+        return VelocityProfile.of(profile)
+    if isinstance(profile, str):
+        return VelocityProfile.from_spec(profile)
+    if isinstance(profile, os.PathLike):
+        return VelocityProfile.from_csv(profile)
+    given: Any = profile
+    if _is_number(given) and math.isfinite(given):
+        return VelocityProfile.constant(given)
+    if isinstance(given, Mapping):
+        if "t" in given and "v" in given:
+            return VelocityProfile.from_dict(dict(given))  # as a trace keeps it
+        return VelocityProfile.piecewise(given.items())
+    items: list[Any] = list(given) if isinstance(given, (Sequence, np.ndarray)) else []
+    if len(items) == 3 and all(map(_is_number, items)):
+        return VelocityProfile.constant(items)
+    if items and not any(map(_is_number, items)):
+        return VelocityProfile.piecewise(items)
+    if callable(profile):
+        raise InputError("profile is a function; give VelocityProfile.from_function(f, duration) instead")
+    raise InputError(
+        f"profile is {reprlib.repr(profile)}; it must be vx, (vx, vy, wz), pairs [(0, 0.1), (2, 0.2)], "
+        'a text "0:0.1,2:0.2" or "paper", a CSV file, or a VelocityProfile'
+    )
+
+
+def _is_number(x: Any) -> bool:
+    return isinstance(x, Real) and not isinstance(x, bool)
+
+
+def _time(t: Any) -> float:
+    try:
+        return float(t)
+    except (TypeError, ValueError):
+        raise InputError(f"time {t!r} is not a number; a profile's pairs are (t, v), t in seconds") from None
+
+
 def three(v: Velocity) -> np.ndarray:
     """vx or (vx, vy, wz) as (3,)."""
     try:
@@ -253,7 +317,7 @@ def _read_csv(path: str | os.PathLike) -> list:
         with open(name, newline="", encoding="utf-8-sig") as file:
             lines = [(number, [cell.strip() for cell in cells]) for number, cells in enumerate(csv.reader(file), 1)]
     except OSError as error:
-        raise InputError(f"{name}: {(error.strerror or str(error)).lower()}") from None
+        raise InputError(f"{name}: {cause(error)}") from None
     except (UnicodeDecodeError, csv.Error) as error:
         raise InputError(f"{name}: not a CSV text file ({error})") from None
     lines = [(number, cells) for number, cells in lines if any(cells) and not cells[0].startswith("#")]

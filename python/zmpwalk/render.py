@@ -18,6 +18,7 @@ import numpy as np
 
 from .analysis import feet_pose, mean_velocity
 from .errors import Error, InputError
+from .files import whole
 from .simulation import set_state
 from .trace import Trace
 
@@ -277,28 +278,22 @@ def video(
     if not (fps > 0 and speed > 0):
         raise InputError(f"fps is {fps:g} and speed {speed:g}; both must be positive")
     path, model = Path(path), trace.model
-    draft = path.with_name(f".{path.stem}.{os.getpid()}{path.suffix}")
     camera = {} if camera is None else camera
     centre = _smooth_path(trace)
     times = np.arange(trace.t[0], trace.t[-1] + 1e-9, speed / fps)
     options: dict[str, Any] = (
         {"duration": 1000.0 / fps, "loop": 0} if path.suffix.lower() == ".gif" else {"fps": fps, "macro_block_size": 2}
     )
-    try:
-        with OffScreen(model, width, height, shadows) as screen:
-            film: Any = imageio.get_writer(draft, **options)
-            with film:
-                for t in times:
-                    k = _row(trace, t)
-                    moving = {"lookat": centre[k], **camera} if isinstance(camera, Mapping) else camera
-                    marks, words = _marks(trace, k) if show_zmp else (), _caption(trace, k) if caption else None
-                    film.append_data(screen.draw(_pose(model, trace, k), moving, marks, words))
-                    if on_progress:
-                        on_progress(t - trace.t[0], trace.duration)
-        os.replace(draft, path)
-    finally:
-        if draft.exists():
-            draft.unlink()
+    with whole(path) as draft, OffScreen(model, width, height, shadows) as screen:
+        film: Any = imageio.get_writer(draft, **options)
+        with film:
+            for t in times:
+                k = _row(trace, t)
+                moving = {"lookat": centre[k], **camera} if isinstance(camera, Mapping) else camera
+                marks, words = _marks(trace, k) if show_zmp else (), _caption(trace, k) if caption else None
+                film.append_data(screen.draw(_pose(model, trace, k), moving, marks, words))
+                if on_progress:
+                    on_progress(t - trace.t[0], trace.duration)
     return path
 
 

@@ -14,10 +14,12 @@ import mujoco
 import numpy as np
 
 from . import _core
-from .description import Robot, RobotDescription, describe, description_to_dict, load_robot
+from ._build import VERSION
 from .errors import InputError
+from .given import Settings, settings_of
 from .motion import JointMotion
-from .profiles import VelocityProfile, three
+from .profiles import Profile, VelocityProfile, profile_of, three
+from .robots import Robot, RobotDescription, describe, description_to_dict, load_robot
 from .trace import Trace, model_bytes, plain
 
 __all__ = ["Recorder", "WalkingController", "simulate", "simulate_batch"]
@@ -34,8 +36,10 @@ class WalkingController(_core.WalkingController):
     Args:
         model: MuJoCo's model, of which the robot may be only a part.
         description: where the feet are; None reads it from the model's own marks (`describe`).
-        settings: gains, bounds and switches; None takes `WalkSettings()`.
-        profile: planned velocity; None takes `VelocityProfile.paper()`.
+        settings: gains, bounds and switches: `WalkSettings`, a dictionary of changes, a law's name or a TOML file;
+            None takes `WalkSettings()`.
+        profile: planned velocity: a `VelocityProfile`, vx [m/s], (vx, vy, wz), pairs (t, v), a text such as
+            "0:0.1,2:0.2" or a CSV file; None takes `VelocityProfile.paper()`.
 
     Raises:
         ModelError: the model lacks what the description names, or cannot walk.
@@ -48,16 +52,20 @@ class WalkingController(_core.WalkingController):
         self,
         model: mujoco.MjModel,
         description: RobotDescription | None = None,
-        settings: _core.WalkSettings | None = None,
-        profile: _core.VelocityProfile | None = None,
+        settings: Settings = None,
+        profile: Profile = None,
     ):
         super().__init__(
             model,
             describe(model) if description is None else description,
-            settings=_core.WalkSettings() if settings is None else settings,
-            profile=VelocityProfile.paper() if profile is None else profile,
+            settings=settings_of(settings),
+            profile=profile_of(profile),
         )
         self._model = model
+
+    def __repr__(self) -> str:
+        robot = f"{self.description.name}, {len(self.joint_names)} joints, {self.mass:.1f} kg"
+        return f"WalkingController({robot}, law {self.settings.law})"
 
     @property
     def model(self) -> mujoco.MjModel:
@@ -143,9 +151,9 @@ class Recorder:
 
 def simulate(
     robot: Robot = "mahru",
-    profile: _core.VelocityProfile | None = None,
+    profile: Profile = None,
     duration: float = 8.0,
-    settings: _core.WalkSettings | None = None,
+    settings: Settings = None,
     on_progress: Progress | None = None,
     seed: int = 0,
     motion: _core.JointMotion | None = None,
@@ -158,9 +166,10 @@ def simulate(
 
     Args:
         robot: what `load_robot` takes: a name, a path, a model, or (model, description).
-        profile: planned velocity; None takes `VelocityProfile.paper()`.
+        profile: planned velocity: a `VelocityProfile`, vx [m/s], (vx, vy, wz), pairs (t, v), a text such as
+            "0:0.1,2:0.2" or a CSV file; None takes `VelocityProfile.paper()`.
         duration: simulated time [s], positive.
-        settings: None takes `WalkSettings()`.
+        settings: `WalkSettings`, a dictionary of changes, a law's name or a TOML file; None takes `WalkSettings()`.
         on_progress: called about ten times a second with (t, duration) [s]; what it raises stops the run and passes on.
         seed: kept in the trace; nothing is random yet.
         motion: what arms, waist and trunk do meanwhile (`WalkingController.move`); None lets them stand.
@@ -176,8 +185,8 @@ def simulate(
         InputError: a bad duration, setting, speed or command.  ModelError: a robot that cannot be used.
         KeyboardInterrupt: Ctrl-C, within 0.1 s.
 
-    Usage: `trace = zmpwalk.simulate("mahru", profile=VelocityProfile.constant(0.2), duration=10)`
-        `zmpwalk.simulate(profile=VelocityProfile.constant(0.0), command=lambda t, out: (0.2, 0.0, 0.3 - out.heading))`
+    Usage: `trace = zmpwalk.simulate("mahru", profile=0.2, duration=10, settings={"step_height": 0.05})`
+        `zmpwalk.simulate(profile=0.0, command=lambda t, out: (0.2, 0.0, 0.3 - out.heading))`
     """
     model, description = load_robot(robot)
     controller = WalkingController(model, description, settings, profile)
@@ -206,7 +215,7 @@ def simulate_batch(
         What `simulate` raises for any of the runs, before the first begins where it can be known; then no trace is
         returned. InputError: an argument that `simulate` does not have, threads < 1. KeyboardInterrupt: Ctrl-C.
 
-    Usage: `simulate_batch([{"profile": VelocityProfile.constant(v), "seed": i} for i, v in enumerate(speeds)])`
+    Usage: `simulate_batch([{"profile": v, "seed": i} for i, v in enumerate(speeds)])`
     """
     if threads is None:
         threads = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
@@ -394,10 +403,8 @@ def _describe_run(
 
 
 def _versions() -> dict[str, str]:
-    from . import __version__
-
     return {
-        "zmpwalk": __version__,
+        "zmpwalk": VERSION,
         "mujoco": mujoco.__version__,
         "numpy": np.__version__,
         "python": platform.python_version(),

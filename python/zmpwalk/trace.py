@@ -9,20 +9,24 @@ import math
 import os
 import zipfile
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Callable, Iterator, Mapping
+from typing import Any, Callable, Iterator, Mapping
 
 import mujoco
 import numpy as np
 
+from ._core import RobotDescription, WalkSettings
 from .analysis import bound_excess
 from .errors import DimensionError, Error, InputError, ModelError
+from .files import cause, whole
+from .motion import JointMotion
+from .profiles import VelocityProfile
+from .robots import description_from_dict
 
-if TYPE_CHECKING:
-    from ._core import RobotDescription, WalkSettings
-    from .motion import JointMotion
-    from .profiles import VelocityProfile
+__all__ = ["ABOVE", "FORMAT_VERSION", "Trace"]
 
-__all__ = ["FORMAT_VERSION", "Trace"]
+# What a trace does by means of rooms that stand on this one. `zmpwalk/__init__.py` puts their functions here under the
+# names of the methods that call them, so that this room imports none of them.
+ABOVE: dict[str, Callable[..., Any]] = {}
 
 FORMAT_VERSION = 1
 
@@ -152,30 +156,22 @@ class Trace(Mapping):
     @property
     def profile(self) -> VelocityProfile:
         """The velocity profile that was walked."""
-        from .profiles import VelocityProfile
-
         return VelocityProfile.from_dict(self._meta("profile"))
 
     @property
     def motion(self) -> JointMotion | None:
         """What arms, waist and trunk did meanwhile; None where they stood."""
-        from .motion import JointMotion
-
         motion = self.meta.get("motion")
         return None if motion is None else JointMotion.from_dict(motion)
 
     @property
     def settings(self) -> WalkSettings:
         """The settings that were used."""
-        from ._core import WalkSettings
-
         return WalkSettings(**self._meta("settings"))
 
     @property
     def description(self) -> RobotDescription:
         """The robot's description."""
-        from .description import description_from_dict
-
         return description_from_dict(self._meta("description"), "the trace's description")
 
     @property
@@ -216,9 +212,7 @@ class Trace(Mapping):
 
         Usage: `Trace.load("trace.npz").rerun().summary()`
         """
-        from .simulation import rerun
-
-        return rerun(self, on_progress)
+        return ABOVE["rerun"](self, on_progress)
 
     # --- files
 
@@ -240,19 +234,13 @@ class Trace(Mapping):
         """
         path = Path(path)
         path = path if path.suffix else path.with_suffix(".npz")
-        draft = path.with_name(f".{path.name}.{os.getpid()}")
-        try:
-            with zipfile.ZipFile(draft, "w") as file:
-                for name, array in self._columns.items():
-                    with file.open(zipfile.ZipInfo(f"{name}.npy"), "w", force_zip64=True) as entry:
-                        np.lib.format.write_array(entry, array, allow_pickle=False)
-                file.writestr(zipfile.ZipInfo("meta.json"), json.dumps(self.meta, indent=1))
-                if self._model is not None:
-                    file.writestr(zipfile.ZipInfo("model.mjb"), self._model, zipfile.ZIP_DEFLATED)
-            os.replace(draft, path)
-        finally:
-            if draft.exists():
-                draft.unlink()
+        with whole(path) as draft, zipfile.ZipFile(draft, "w") as file:
+            for name, array in self._columns.items():
+                with file.open(zipfile.ZipInfo(f"{name}.npy"), "w", force_zip64=True) as entry:
+                    np.lib.format.write_array(entry, array, allow_pickle=False)
+            file.writestr(zipfile.ZipInfo("meta.json"), json.dumps(self.meta, indent=1))
+            if self._model is not None:
+                file.writestr(zipfile.ZipInfo("model.mjb"), self._model, zipfile.ZIP_DEFLATED)
         return path
 
     @classmethod
@@ -281,7 +269,7 @@ class Trace(Mapping):
                 }
                 model = file.read("model.mjb") if "model.mjb" in names else None
         except OSError as error:
-            raise InputError(f"{path}: {(error.strerror or str(error)).lower()}") from None
+            raise InputError(f"{path}: {cause(error)}") from None
         except Error:
             raise
         except Exception as error:  # zipfile, zlib, json and numpy each have their own way to say it
@@ -300,21 +288,8 @@ class Trace(Mapping):
         Usage: `trace.to_csv("walk.csv")`
         """
         path, flat = Path(path), self.flat()
-        draft = path.with_name(f".{path.name}.{os.getpid()}")
-        try:
-            np.savetxt(
-                draft,
-                np.column_stack(list(flat.values())),
-                "%.17g",
-                ",",
-                header=",".join(flat),
-                comments="",
-                encoding="utf-8",
-            )
-            os.replace(draft, path)
-        finally:
-            if draft.exists():
-                draft.unlink()
+        with whole(path) as draft, open(draft, "w", encoding="utf-8") as file:
+            np.savetxt(file, np.column_stack(list(flat.values())), "%.17g", ",", header=",".join(flat), comments="")
         return path
 
     def to_dataframe(self) -> Any:
@@ -472,11 +447,7 @@ class Trace(Mapping):
 
         Usage: `trace.plot("sagittal", start=2, end=6)`
         """
-        from . import plot
-
-        if figure == "all":
-            return {name: draw(self, **options) for name, draw in plot.FIGURES.items()}
-        return plot.figure_function(figure)(self, **options)
+        return ABOVE["plot"](self, figure, **options)
 
 
 def model_bytes(model: mujoco.MjModel) -> bytes:

@@ -11,12 +11,11 @@ from typing import Any, Callable, Sequence
 import mujoco
 import numpy as np
 
-from . import _core
 from .analysis import feet_pose, mean_velocity, sole_yaw
-from .description import Robot, load_robot
 from .errors import Error, InputError
-from .profiles import VelocityProfile
+from .given import Settings
 from .render import Scene, crosses, default_camera, stride, velocity_words
+from .robots import Robot, load_robot
 from .simulation import WalkingController
 
 __all__ = ["LiveWalk", "Steering", "view"]
@@ -99,7 +98,7 @@ class LiveWalk:
 
     Args:
         robot: what `load_robot` takes.
-        settings: None takes `WalkSettings()`.
+        settings: as for `simulate`; None takes `WalkSettings()`.
         steering: None takes `Steering.of`.
 
     Fields: `model`, `data`, `controller`, `steering`, `out` (the last cycle's), `closed`.
@@ -110,12 +109,10 @@ class LiveWalk:
     Usage: `walk = LiveWalk("mahru"); walk.press("W"); walk.advance(0.5)`
     """
 
-    def __init__(
-        self, robot: Robot = "mahru", settings: _core.WalkSettings | None = None, steering: Steering | None = None
-    ):
+    def __init__(self, robot: Robot = "mahru", settings: Settings = None, steering: Steering | None = None):
         self.model, self._description = load_robot(robot)
         self.data = mujoco.MjData(self.model)
-        self.controller = WalkingController(self.model, self._description, settings, VelocityProfile.constant(0.0))
+        self.controller = WalkingController(self.model, self._description, settings, profile=0.0)
         self.steering = steering or Steering.of(self.controller)
         self.closed = False
         self.restart()
@@ -292,7 +289,7 @@ class Window:
 
 def view(
     robot: Robot = "mahru",
-    settings: _core.WalkSettings | None = None,
+    settings: Settings = None,
     speed: float = 1.0,
     width: int = 1280,
     height: int = 800,
@@ -303,7 +300,7 @@ def view(
 
     Args:
         robot: what `load_robot` takes.
-        settings: None takes `WalkSettings()`.
+        settings: as for `simulate`; None takes `WalkSettings()`.
         speed: simulated seconds in a second.
         width, height: of the window [screen units].
         shadows: draw shadows and reflections.

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable as IterableABC
 from typing import Any, Iterable, Sequence, Tuple
 
 import numpy as np
 
-from ._core import WalkSettings
 from .analysis import feet_pose
-from .description import Robot, load_robot
 from .errors import DimensionError, InputError
-from .profiles import VelocityProfile
+from .given import Settings
+from .robots import Robot, load_robot
 from .simulation import Progress, WalkingController, check_duration, name_of, run
 from .trace import Trace, plain
 
@@ -70,6 +70,8 @@ class Waypoints:
         heading_tolerance: float = math.radians(2.0),
         pause: float = 0.0,
     ):
+        if not isinstance(points, IterableABC):
+            raise InputError(f"waypoints are {points!r}; they are a list of (x, y, yaw) or (x, y)")
         self.points = [_point(i, point) for i, point in enumerate(points)]
         if not self.points:
             raise InputError("no waypoints; give at least one (x, y, yaw)")
@@ -82,9 +84,9 @@ class Waypoints:
         self.near = _positive("near", near)
         self.position_tolerance = _positive("position_tolerance", position_tolerance)
         self.heading_tolerance = _positive("heading_tolerance", heading_tolerance)
-        if not (math.isfinite(pause) and pause >= 0):
-            raise InputError(f"pause is {pause:g} s; it must be finite and not negative")
-        self.pause = pause
+        self.pause = _number("pause", pause)
+        if not (math.isfinite(self.pause) and self.pause >= 0):
+            raise InputError(f"pause is {self.pause:g} s; it must be finite and not negative")
         self.restart()
 
     def restart(self) -> None:
@@ -202,7 +204,7 @@ class Waypoints:
 def walk_to(
     points: Iterable[Sequence[float]],
     robot: Robot = "mahru",
-    settings: WalkSettings | None = None,
+    settings: Settings = None,
     timeout: float = 300.0,
     on_progress: Progress | None = None,
     **limits: float,
@@ -212,7 +214,7 @@ def walk_to(
     Args:
         points: (x, y, yaw) or (x, y), as for `Waypoints`: W [m, rad].
         robot: what `load_robot` takes.
-        settings: None takes `WalkSettings()`.
+        settings: as for `simulate`; None takes `WalkSettings()`.
         timeout: simulated time after which it ends all the same [s].
         on_progress: called about ten times a second with (t, timeout) [s]; what it raises stops the walk and passes
             on.
@@ -229,7 +231,7 @@ def walk_to(
     """
     follower, timeout = Waypoints(points, **limits), check_duration(timeout)
     model, description = load_robot(robot)
-    controller = WalkingController(model, description, settings, VelocityProfile.constant(0.0))
+    controller = WalkingController(model, description, settings, profile=0.0)
     arrived = math.inf
 
     def command(t: float, out: Any) -> Command:
@@ -263,9 +265,17 @@ def _positive(name: str, value: float | None) -> float:
     """`value`, NaN where it is left to the robot."""
     if value is None:
         return math.nan
-    if not (math.isfinite(value) and value > 0):
-        raise InputError(f"{name} is {value:g}; it must be positive and finite")
-    return float(value)
+    number = _number(name, value)
+    if not (math.isfinite(number) and number > 0):
+        raise InputError(f"{name} is {number:g}; it must be positive and finite")
+    return number
+
+
+def _number(name: str, value: float) -> float:
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        raise InputError(f"{name} is {value!r}; it must be a number") from None
 
 
 def _wrap(angle: float) -> float:

@@ -192,7 +192,7 @@ def walked():
 
 def edited_mahru(*changes):
     """The bundled robot's MJCF after each of `changes` has worked on its tree, its sensors gone."""
-    from zmpwalk.description import ROBOTS
+    from zmpwalk.robots import ROBOTS
 
     root = ET.parse(ROBOTS / "mahru.xml").getroot()
     root.remove(root.find("sensor"))

@@ -310,7 +310,7 @@ def test_what_is_no_mujoco_object_is_named(scene):
     with pytest.raises(TypeError, match=r"expected a mujoco\.MjModel, got str"):
         zmpwalk.measured_zmp("mahru", data, description)
     with pytest.raises(TypeError):
-        zmpwalk.WalkingController(model, description, {"law": "paper"})
+        _core.WalkingController(model, description, {"law": "paper"})
     with pytest.raises(TypeError):
         _core.Recorder(data)
 

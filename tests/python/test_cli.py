@@ -11,6 +11,7 @@ import mujoco
 import pytest
 import zmpwalk
 from zmpwalk import InputError, Trace, cli
+from zmpwalk.cli import options, terminal
 
 FIGURES = {
     f"fig{name}.png" for name in ("2_iteration", "4_tracking", "5_switch", "6_velocity", "7_sagittal", "8_lateral")
@@ -84,7 +85,7 @@ def test_options_reach_the_walk(zmpwalk_command, tmp_path):
 
 
 def test_robot_by_path_gives_the_same_walk(zmpwalk_command, tmp_path, walked):
-    from zmpwalk.description import ROBOTS
+    from zmpwalk.robots import ROBOTS
 
     done = zmpwalk_command(
         "walk", "--robot", ROBOTS / "mahru.xml", "--duration", 0.2, "--no-figures", "--out", tmp_path
@@ -190,7 +191,7 @@ def test_next_walk_replaces_files_and_removes_figures_of_the_last(zmpwalk_comman
 
 def test_long_walk_into_a_pipe_reports_now_and_then(capsys, monkeypatch):
     monkeypatch.setattr(sys.stderr, "isatty", lambda: False, raising=False)
-    with cli._Progress(60.0) as progress:
+    with terminal.Progress(60.0) as progress:
         progress._next = 0.0
         progress.at(12.34, 60.0)
         progress.at(12.35, 60.0)
@@ -262,7 +263,7 @@ def test_our_own_fault_is_exit_1_and_says_so(monkeypatch, capsys):
     def broken(robot):
         raise ZeroDivisionError("inside")
 
-    monkeypatch.setattr("zmpwalk.proposal.examine", broken)
+    monkeypatch.setattr("zmpwalk.cli.inspect.examine", broken)
     assert cli.main(["inspect", "mahru"]) == 1
     error = capsys.readouterr().err
     assert "ZeroDivisionError: inside" in error
@@ -291,7 +292,7 @@ def test_wrong_mujoco_is_one_line_for_the_command_and_an_error_for_others(name, 
     ],
 )  # fmt: skip
 def test_settings_take_the_kind_that_they_have(like, text, value):
-    parsed = cli._parse(text, like, f"name={text}")
+    parsed = options.parse(text, like, f"name={text}")
     assert parsed == value
     assert type(parsed) is type(value)
 
@@ -299,7 +300,7 @@ def test_settings_take_the_kind_that_they_have(like, text, value):
 def test_settings_of_another_kind_are_refused():
     for like, text in ((True, "2"), (3, "1.5"), (0.5, "x"), ([0.1], "0.1;0.2")):
         with pytest.raises(InputError, match="is not"):
-            cli._parse(text, like, "name")
+            options.parse(text, like, "name")
 
 
 def test_import_is_quick_because_it_leaves_out_what_is_slow():

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 import zmpwalk
 from zmpwalk import WalkSettings, analysis
-from zmpwalk.description import ROBOTS
+from zmpwalk.robots import ROBOTS
 
 MM = 1e-3
 PERIOD = 0.8  # [s]

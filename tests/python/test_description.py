@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 import zmpwalk
 from zmpwalk import InputError, ModelError
-from zmpwalk.description import ROBOTS, description_from_dict, description_to_dict
-from zmpwalk.proposal.table import inspect_robot
+from zmpwalk.robots import ROBOTS, description_from_dict, description_to_dict
+from zmpwalk.robots.proposal.table import inspect_robot
 
 MAHRU = ROBOTS / "mahru.xml"
 

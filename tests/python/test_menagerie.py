@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import pytest
 import zmpwalk
 from zmpwalk import InputError
-from zmpwalk.description import ROBOTS
+from zmpwalk.robots import ROBOTS
 
 
 class MenagerieError(Exception):
@@ -54,7 +54,7 @@ def package(monkeypatch):
         DownloadError=DownloadError,
     )
     monkeypatch.setitem(sys.modules, "mujoco_menagerie", known)
-    monkeypatch.setattr("zmpwalk.menagerie.sys", SimpleNamespace(version_info=(3, 11)))
+    monkeypatch.setattr("zmpwalk.robots.menagerie.sys", SimpleNamespace(version_info=(3, 11)))
 
 
 @pytest.mark.parametrize("robot", ["menagerie:walker", "menagerie:walker/scene"])
@@ -79,6 +79,6 @@ def test_robot_that_menagerie_does_not_give_is_bad_input(package, robot, words):
 @pytest.mark.parametrize(("version", "words"), [((3, 10), "Python 3.11 or later"), ((3, 11), r"zmpwalk\[robots\]")])
 def test_missing_package_is_told_with_what_to_install(monkeypatch, version, words):
     monkeypatch.setitem(sys.modules, "mujoco_menagerie", None)
-    monkeypatch.setattr("zmpwalk.menagerie.sys", SimpleNamespace(version_info=version))
+    monkeypatch.setattr("zmpwalk.robots.menagerie.sys", SimpleNamespace(version_info=version))
     with pytest.raises(InputError, match=words):
         zmpwalk.load_robot("menagerie:unitree_g1")

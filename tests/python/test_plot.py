@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 from zmpwalk import InputError, Trace, plot
+from zmpwalk.figures.curves import spans
 
 FILES = [
     "fig2_iteration",
@@ -246,7 +247,7 @@ def test_footprints_lie_where_soles_stood_turned_as_they_were(made_up_columns, m
     trace = made_up.changed(made_up_columns, **turned)
     ax = trace.plot("footprints").axes[0]
     soles = [patch.get_xy()[:4] for patch in ax.patches if patch.get_fill()]
-    stood = [plot._spans((trace.phase == 0) | (trace.support == side)) for side in (1, -1)]
+    stood = [spans((trace.phase == 0) | (trace.support == side)) for side in (1, -1)]
     assert len(soles) == sum(map(len, stood))
     first = soles[0]
     assert first.mean(axis=0) == pytest.approx(trace.foot_left[0, :2])

@@ -9,10 +9,9 @@ import numpy as np
 import pytest
 import zmpwalk
 from zmpwalk import ModelError, cli
-from zmpwalk.description import ROBOTS, description_to_dict
-from zmpwalk.proposal import appraise, is_marked, propose, write_description
-from zmpwalk.proposal.figure import draw
-from zmpwalk.proposal.soles import inscribed_rectangle
+from zmpwalk.figures.robot import draw
+from zmpwalk.robots import ROBOTS, appraise, description_to_dict, is_marked, propose, write_description
+from zmpwalk.robots.polygon import inscribed_rectangle
 
 SHARED = ("robotis_op3", "unitree_g1", "fourier_n1")
 FROUDE = (0.03, 0.06, 0.0935)
@@ -106,6 +105,23 @@ def test_robot_that_inspect_wrote_walks(robot, name, tmp_path):
         summary = trace.summary()
         walked, planned = (np.array(summary[f"{kind}_speed_per_step"]) for kind in ("mean", "planned"))
         assert walked[6:] == pytest.approx(planned[6:], rel=0.01)
+
+
+def test_one_controller_tells_all_there_is_to_tell_of_a_bare_model(robot, monkeypatch):
+    made, controller = [], zmpwalk._core.WalkingController
+
+    def make(*arguments, **options):
+        made.append(controller(*arguments, **options))
+        return made[-1]
+
+    monkeypatch.setattr(zmpwalk._core, "WalkingController", make)
+    bare = mujoco.MjModel.from_xml_string(robot("mahru")[2])
+    description = zmpwalk.describe(bare)
+    assert not made
+    proposal = propose(bare)
+    assert len(made) == 1
+    assert description_to_dict(proposal.description) == description_to_dict(description)
+    assert proposal.table["speed_limit_mps"] == made[0].speed_limit
 
 
 def test_marks_and_keyframes_are_taken_where_they_are(robot):

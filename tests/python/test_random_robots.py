@@ -6,7 +6,7 @@ import pytest
 import random_humanoid as generator
 import random_robots
 import zmpwalk
-from zmpwalk.proposal import appraise
+from zmpwalk.robots import appraise
 
 SEEDS = range(100)
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import zmpwalk
 from zmpwalk import InputError, ModelError, VelocityProfile, WalkSettings
-from zmpwalk.description import description_from_dict, description_to_dict
+from zmpwalk.robots import description_from_dict, description_to_dict
 
 NEW = not mujoco.__version__.startswith("2.")
 ARM = "shoulder|elbow|wrist"

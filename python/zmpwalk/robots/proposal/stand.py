@@ -5,7 +5,7 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 
-from ..errors import ModelError
+from ...errors import ModelError
 from .tree import JNT, OBJ, UP, Found, Side, body_label, joint_names, name_of
 
 BENT = 0.915  # hip to ankle at the stand, of the straight leg: knees at 0.83 rad; straighter ones take more torque

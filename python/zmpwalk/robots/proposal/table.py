@@ -8,7 +8,7 @@ from typing import Any
 import mujoco
 import numpy as np
 
-from .._core import Foot, RobotDescription
+from ..._core import Foot, RobotDescription
 from ..description import sole_pose
 from .tree import JNT, OBJ, Tree, find_id, name_of, root_body
 

@@ -9,7 +9,7 @@ from typing import Any
 import mujoco
 import numpy as np
 
-from .._core import RobotDescription
+from ..._core import RobotDescription
 
 UP = np.array([0.0, 0.0, 1.0])
 OBJ = mujoco.mjtObj

@@ -1,114 +1,31 @@
-"""Robots: the ones that come with zmpwalk, and descriptions of others read from files."""
+"""Descriptions of robots as values: read from a `robot.json`, written as plain dictionaries, compared with a model."""
 
 from __future__ import annotations
 
 import json
 import os
 from pathlib import Path
-from typing import Any, Tuple, Union
+from typing import Any
 
 import mujoco
 import numpy as np
 
-from ._core import Foot, RobotDescription
-from .errors import InputError, ModelError
-from .menagerie import PREFIX, menagerie_file
+from .._core import Foot, RobotDescription
+from ..errors import InputError, ModelError
+from ..files import cause
+from .polygon import inscribed_rectangle
 
 __all__ = [
     "Foot",
     "RobotDescription",
-    "available_robots",
-    "describe",
-    "load_robot",
+    "description_from_dict",
+    "description_to_dict",
+    "model_file",
     "read_description",
+    "read_json",
+    "renamed",
+    "sole_pose",
 ]
-
-ROBOTS = Path(__file__).resolve().parent / "robots"
-
-Robot = Union[str, os.PathLike, "mujoco.MjModel", Tuple[Any, Any]]
-
-
-def available_robots() -> list[str]:
-    """Names of the robots that come with zmpwalk.
-
-    Returns:
-        Sorted names, each good for `load_robot` and `zmpwalk walk --robot`.
-
-    Usage: `zmpwalk.available_robots()  # -> ["mahru"]`
-    """
-    return sorted(_bundled())
-
-
-def _bundled() -> dict[str, Path]:
-    files = {path.parent.name: path for path in ROBOTS.glob("*/robot.json")}
-    files.update({path.stem: path for path in ROBOTS.glob("*.xml")})
-    return files
-
-
-def load_robot(robot: Robot) -> tuple[mujoco.MjModel, RobotDescription]:
-    """A robot's model and where its feet are.
-
-    Args:
-        robot: one of
-            - a name of `available_robots()`;
-            - a path to a `robot.json` (or the folder that holds one): its "scene" is loaded, or its "model" where it
-              has no scene;
-            - "menagerie:NAME", a robot of MuJoCo Menagerie (see `zmpwalk.menagerie`);
-            - a path to an MJCF `.xml`, or an `MjModel`, in which `describe` finds a robot;
-            - a pair (`.xml` path or `MjModel`, `RobotDescription` or `robot.json` path or None).
-
-    Returns:
-        model: the compiled model.
-        description: checked against the model: `description.place(model, data)` works.
-
-    Raises:
-        InputError: unknown name, missing file, or a `robot.json` without a key it needs (named).
-        ModelError: MuJoCo refuses the model, or the model lacks what the description names.
-
-    Usage: `model, description = zmpwalk.load_robot("mahru")`
-    """
-    model, description, name = read_robot(robot)
-    if description is None:
-        description = renamed(describe(model), name)
-    description.check(model)
-    return model, description
-
-
-def read_robot(robot: Robot) -> tuple[mujoco.MjModel, RobotDescription | None, str]:
-    """A robot's model, the description that comes with it, if one does, and what its file is called.
-
-    Args:
-        robot: see `load_robot`.
-
-    Raises:
-        InputError, ModelError: as `load_robot`; the description is not compared with the model.
-
-    Usage: `model, description, name = read_robot("bare.xml")`
-    """
-    description, name = None, ""
-    if isinstance(robot, (tuple, list)):
-        if len(robot) != 2:
-            raise InputError(
-                f"a robot given as a pair is (model or xml path, description); this has {len(robot)} parts"
-            )
-        robot, description = robot
-        if isinstance(description, (str, os.PathLike)):
-            description = read_description(description)
-    if isinstance(robot, mujoco.MjModel):
-        model = robot
-    elif isinstance(robot, (str, os.PathLike)):
-        path = _find(robot)
-        if path.suffix.lower() == ".json":
-            plain = _read_json(path)
-            description = description or description_from_dict(plain, str(path))
-            path = path.parent / _model_file(plain, path)
-        name = str(robot)[len(PREFIX) :].partition("/")[0] if str(robot).startswith(PREFIX) else path.stem
-        model = _load_xml(path)
-    else:
-        raise InputError(
-            f"a robot is a name, a path, a model or a pair (model, description), not {type(robot).__name__}"
-        )
-    return model, description, name
 
 
 def renamed(description: RobotDescription, name: str) -> RobotDescription:
@@ -117,70 +34,6 @@ def renamed(description: RobotDescription, name: str) -> RobotDescription:
     Usage: `renamed(description, "nao")`
     """
     return description_from_dict({**description_to_dict(description), "name": name}) if name else description
-
-
-def robot_file(robot: str | os.PathLike) -> Path:
-    """The MJCF that `load_robot` loads for a name or a path.
-
-    Raises:
-        InputError: as `load_robot`.
-
-    Usage: `robot_file("mahru").parent`
-    """
-    path = _find(robot)
-    if path.suffix.lower() != ".json":
-        return path
-    return path.parent / _model_file(_read_json(path), path)
-
-
-def _find(robot: str | os.PathLike) -> Path:
-    bundled = _bundled()
-    if robot in bundled:
-        return bundled[str(robot)]
-    if str(robot).startswith(PREFIX):
-        return menagerie_file(str(robot))
-    path = Path(robot).expanduser()
-    if path.is_dir() and (path / "robot.json").is_file():
-        return path / "robot.json"
-    if path.is_file() and path.suffix.lower() in (".xml", ".json"):
-        return path
-    if path.exists():
-        raise InputError(f"{path}: not a robot; give a robot.json, a folder with one, or an MJCF .xml")
-    if path.suffix or len(path.parts) > 1:
-        raise InputError(f"{path}: no such file")
-    raise InputError(
-        f"unknown robot '{robot}': there is {', '.join(sorted(bundled))}; a path to a robot.json or an .xml works too"
-    )
-
-
-def _load_xml(path: Path) -> mujoco.MjModel:
-    if not path.is_file():
-        raise InputError(f"{path}: no such file")
-    try:
-        return mujoco.MjModel.from_xml_path(str(path))
-    except Exception as error:  # MuJoCo raises ValueError, or its own FatalError
-        raise ModelError(f"{path}: MuJoCo cannot load it: {' '.join(str(error).split())}") from None
-
-
-def describe(model: mujoco.MjModel) -> RobotDescription:
-    """The description of a robot that is found in its model.
-
-    Args:
-        model: carries box sites `left_sole` and `right_sole` (centre on the sole plane, x forward, y left, z up, half
-            sizes those of the sole) and a keyframe `stand`, which are taken as they are. From any other model a
-            description is proposed: `zmpwalk.proposal.propose` does the same and says what is unsure.
-
-    Returns:
-        Feet, legs, soles and start pose.
-
-    Raises:
-        ModelError: no robot that can walk was found; one line says why.
-
-    Usage: `description = zmpwalk.describe(mujoco.MjModel.from_xml_path("robot.xml"))`
-    """
-    from .proposal import propose
-
-    return propose(model).description
 
 
 def read_description(path: str | os.PathLike) -> RobotDescription:
@@ -201,14 +54,21 @@ def read_description(path: str | os.PathLike) -> RobotDescription:
 
     Usage: `zmpwalk.load_robot(("my_scene.xml", zmpwalk.read_description("robot.json")))`
     """
-    return description_from_dict(_read_json(Path(path)), str(path))
+    return description_from_dict(read_json(Path(path)), str(path))
 
 
-def _read_json(path: Path) -> dict[str, Any]:
+def read_json(path: Path) -> dict[str, Any]:
+    """The object that a `robot.json` holds.
+
+    Raises:
+        InputError: no such file, not JSON, or no object.
+
+    Usage: `read_json(Path("robot.json"))["name"]`
+    """
     try:
         plain = json.loads(path.read_text(encoding="utf-8"))
     except OSError as error:
-        raise InputError(f"{path}: {(error.strerror or str(error)).lower()}") from None
+        raise InputError(f"{path}: {cause(error)}") from None
     except ValueError as error:  # JSON and encoding
         raise InputError(f"{path}: not JSON: {error}") from None
     if not isinstance(plain, dict):
@@ -216,11 +76,18 @@ def _read_json(path: Path) -> dict[str, Any]:
     return plain
 
 
-def _model_file(plain: dict[str, Any], path: Path) -> str:
+def model_file(plain: dict[str, Any], path: Path) -> Path:
+    """The MJCF that a `robot.json` at `path` names: its scene, or its model where it has no scene.
+
+    Raises:
+        InputError: it names none.
+
+    Usage: `model_file(read_json(path), path)`
+    """
     file = plain.get("scene") or plain.get("model")
     if not isinstance(file, str):
         raise InputError(f"{path}: key 'model' is missing: the MJCF file's name, relative to this file")
-    return file
+    return path.parent / file
 
 
 class _Reader:
@@ -257,8 +124,6 @@ class _Reader:
 
     def inside_polygon(self, key: str) -> tuple[np.ndarray, np.ndarray]:
         """x and y ranges of the sole's rectangle inside a convex polygon."""
-        from .proposal.soles import inscribed_rectangle
-
         what = "three or more corners [x, y] of the sole in the foot's body [m] that span an area"
         raw = self.value(key, (list, tuple), what)
         try:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 
-from ..errors import ModelError
+from ...errors import ModelError
 from . import refusals
 from .soles import fit_sole, sole_points, support_points, touching_geoms
 from .tree import HELP, JNT, OBJ, UP, Found, Side, Tree, body_label, name_of

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import mujoco
 
-from .errors import InputError
+from ..errors import InputError
 
 PREFIX = "menagerie:"
 

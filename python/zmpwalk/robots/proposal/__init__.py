@@ -15,18 +15,19 @@ from typing import Any
 import mujoco
 import numpy as np
 
-from .. import _core
-from .._core import Foot, RobotDescription
-from ..description import Robot, description_to_dict, read_robot, renamed
-from ..errors import Error, InputError, ModelError
+from ... import _core
+from ..._core import Foot, RobotDescription
+from ...errors import Error, ModelError
+from ...files import as_input_error, whole
+from ..description import description_to_dict
 from .legs import find_robot
-from .remarks import find_remarks, remark_usual_walk
+from .remarks import find_remarks, remark_usual_walk, usual_speed
 from .soles import remark_soles
 from .stand import find_stand
 from .table import inspect_robot
 from .tree import GEOM, JNT, OBJ, Found, body_label, name_of
 
-__all__ = ["Proposal", "appraise", "examine", "is_marked", "propose", "write_description"]
+__all__ = ["Proposal", "appraise", "describe", "is_marked", "propose", "write_description"]
 
 
 @dataclass(frozen=True)
@@ -57,35 +58,38 @@ def propose(model: mujoco.MjModel) -> Proposal:
     Raises:
         ModelError: no robot that could walk was found; its `reasons` say why, a line each.
 
-    Usage: `proposal = zmpwalk.proposal.propose(mujoco.MjModel.from_xml_path("bare.xml")); print(proposal.remarks)`
+    Usage: `proposal = zmpwalk.propose(mujoco.MjModel.from_xml_path("bare.xml")); print(proposal.remarks)`
     """
-    if is_marked(model):
-        description, remarks = _core.describe(model), []
-    else:
-        robot = find_robot(model)
-        description, remarks = _describe(robot), robot.remarks
-        description.check(model)
-    return appraise(model, description, remarks)
+    return appraise(model, *_found(model))
 
 
-def examine(robot: Robot) -> tuple[mujoco.MjModel, Proposal]:
-    """What `load_robot` loads, with the table and remarks of `propose`.
+def describe(model: mujoco.MjModel) -> RobotDescription:
+    """The description of a robot that is found in its model.
 
     Args:
-        robot: see `load_robot`.
+        model: carries box sites `left_sole` and `right_sole` (centre on the sole plane, x forward, y left, z up, half
+            sizes those of the sole) and a keyframe `stand`, which are taken as they are. From any other model a
+            description is proposed: `zmpwalk.propose` does the same and says what is unsure.
+
+    Returns:
+        Feet, legs, soles and start pose.
 
     Raises:
-        InputError, ModelError: as `load_robot`.
+        ModelError: no robot that can walk was found; one line says why.
 
-    Usage: `model, proposal = examine("bare.xml")`
+    Usage: `description = zmpwalk.describe(mujoco.MjModel.from_xml_path("robot.xml"))`
     """
-    model, description, name = read_robot(robot)
-    if description is not None:
-        description.check(model)
-        return model, appraise(model, description)
-    found = propose(model)
-    table = {**found.table, "name": name or found.table["name"]}
-    return model, Proposal(renamed(found.description, name), found.remarks, table)
+    return _found(model)[0]
+
+
+def _found(model: mujoco.MjModel) -> tuple[RobotDescription, list[str]]:
+    """The description of the robot in a model, and what is unsure about it."""
+    if is_marked(model):
+        return _core.describe(model), []
+    robot = find_robot(model)
+    description = _describe(robot)
+    description.check(model)
+    return description, robot.remarks
 
 
 def appraise(model: mujoco.MjModel, description: RobotDescription, remarks: list[str] | None = None) -> Proposal:
@@ -95,18 +99,29 @@ def appraise(model: mujoco.MjModel, description: RobotDescription, remarks: list
     """
     remarks = list(remarks or []) + find_remarks(model, description)
     table = inspect_robot(model, description)
+    speed = usual_speed(model, table["com_height_m"])
     try:
-        still = _core.VelocityProfile([0.0], np.zeros((1, 3)), "hold")
-        controller = _core.WalkingController(model, description, settings=_core.WalkSettings(), profile=still)
+        controller, refusal = _controller(model, description, speed), ""
+    except Error as error:
+        refusal = str(error)
+    try:
+        if refusal:  # perhaps only of a usual walk
+            controller = _controller(model, description, 0.0)
         table["speed_limit_mps"] = float(controller.speed_limit)
         bounds = {side: [b.tolist() for b in controller.zmp_bounds(side)] for side in ("left", "right")}
         table["zmp_bounds_m"] = bounds
-        remarks += remark_usual_walk(model, description, controller)
+        remarks += remark_usual_walk(model, description, controller, speed, refusal)
     except Error as error:
         table["speed_limit_mps"] = table["zmp_bounds_m"] = None
         remarks.append(f"the walking controller refuses it: {error}")
     table["remarks"] = remarks = list(dict.fromkeys(remarks))  # each once
     return Proposal(description, remarks, table)
+
+
+def _controller(model: mujoco.MjModel, description: RobotDescription, speed: float) -> _core.WalkingController:
+    """The controller of a walk that comes up to `speed` [m/s] in 10 s."""
+    ramp = _core.VelocityProfile([0.0, 10.0], np.array([[0.0, 0.0, 0.0], [speed, 0.0, 0.0]]), "linear")
+    return _core.WalkingController(model, description, settings=_core.WalkSettings(), profile=ramp)
 
 
 def is_marked(model: mujoco.MjModel) -> bool:
@@ -142,12 +157,8 @@ def write_description(path: str | os.PathLike, model_file: str | os.PathLike, pr
         "com_height_m": table["com_height_m"],
         "remarks": proposal.remarks,
     }
-    draft = path.with_name(f".{path.name}.draft")
-    try:
+    with as_input_error(path), whole(path) as draft:
         draft.write_text(json.dumps(content, indent=1, allow_nan=False) + "\n", encoding="utf-8")
-        os.replace(draft, path)
-    except OSError as error:
-        raise InputError(f"{path}: cannot write there: {(error.strerror or str(error)).lower()}") from None
     return path
 
 

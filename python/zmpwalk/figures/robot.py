@@ -1,28 +1,29 @@
-"""A picture of what was found: the robot at its start pose, and from above its soles, ankles, ZMP bounds and COM."""
+"""What was found in a model: the robot at its start pose, and from above its soles, ankles, ZMP bounds and COM."""
 
 from __future__ import annotations
 
 import textwrap
 from typing import Any
 
-import matplotlib
 import mujoco
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from ..description import sole_pose
+from .. import render
 from ..errors import Error
-from ..plot import BOUND, COM, FAINT, SOLE, STYLE, WIDTH, WalkFigure
-from . import Proposal
-from .soles import convex_hull, sole_points, touching_geoms
-from .tree import OBJ, Tree, find_id, root_body
+from ..robots import Proposal, sole_pose
+from ..robots.polygon import convex_hull
+from ..robots.proposal.soles import sole_points, touching_geoms
+from ..robots.proposal.tree import OBJ, Tree, find_id, root_body
+from .style import BOUND, COM, FAINT, SOLE, WIDTH, WalkFigure, styled
 
 VIEWS = {"from the front": 180.0, "from its left": -90.0}  # azimuth of the camera, robot facing x [deg]
 PIXELS = 320, 640  # of a view, width and height
 
 
+@styled
 def draw(model: mujoco.MjModel, proposal: Proposal) -> Figure:
     """The robot at its start pose, and its soles from above.
 
@@ -39,11 +40,6 @@ def draw(model: mujoco.MjModel, proposal: Proposal) -> Figure:
 
     Usage: `draw(model, zmpwalk.propose(model)).savefig("robot.png")`
     """
-    with matplotlib.rc_context(STYLE):
-        return _draw(model, proposal)
-
-
-def _draw(model: mujoco.MjModel, proposal: Proposal) -> Figure:
     data, table = mujoco.MjData(model), proposal.table
     proposal.description.place(model, data)
     figure = WalkFigure(figsize=(WIDTH, 3.7), layout="constrained")
@@ -60,8 +56,6 @@ def _draw(model: mujoco.MjModel, proposal: Proposal) -> Figure:
 
 
 def _render(model: mujoco.MjModel, data: mujoco.MjData, proposal: Proposal, axes: list[Axes]) -> None:
-    from .. import render
-
     forward = sole_pose(model, data, proposal.description.left)[1][:, 0]
     heading = float(np.degrees(np.arctan2(forward[1], forward[0])))
     try:

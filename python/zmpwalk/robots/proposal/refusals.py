@@ -7,7 +7,7 @@ from typing import Iterable, Iterator
 import mujoco
 import numpy as np
 
-from ..errors import ModelError
+from ...errors import ModelError
 from .tree import EQ, GEOM, JNT, OBJ, TRN, Found, Side, Tree, body_label, joint_names, name_of, tendon_joints
 
 POINT_LENGTH, POINT_WIDTH = 0.10, 0.04  # of the leg: a smaller sole is a point foot

@@ -7,10 +7,9 @@ import re
 import mujoco
 import numpy as np
 
-from .. import _core
-from .._core import RobotDescription
+from ... import _core
+from ..._core import RobotDescription
 from ..description import sole_pose
-from ..errors import Error
 from .soles import touching_geoms
 from .tree import EQ, GEOM, OBJ, Tree, body_label, find_id, joint_names, name_of, root_body, tendon_joints
 
@@ -86,21 +85,32 @@ def find_remarks(model: mujoco.MjModel, description: RobotDescription) -> list[s
     return remarks
 
 
+def usual_speed(model: mujoco.MjModel, com_height: float) -> float:
+    """Speed of a usual walk of a robot of this COM height [m] over its soles [m/s]."""
+    return USUAL_SPEED * float(np.sqrt(np.linalg.norm(model.opt.gravity) * com_height))
+
+
 def remark_usual_walk(
-    model: mujoco.MjModel, description: RobotDescription, controller: _core.WalkingController
+    model: mujoco.MjModel,
+    description: RobotDescription,
+    controller: _core.WalkingController,
+    speed: float,
+    refusal: str,
 ) -> list[str]:
-    """What a usual walk asks of short legs, hips and heavy rotors."""
+    """What a usual walk asks of short legs, hips and heavy rotors.
+
+    Args:
+        model, description: of the robot.
+        controller: of a walk that comes up to `speed`; where that is refused, of the robot that stands.
+        speed: of a usual walk [m/s].
+        refusal: why a walk of that speed is refused; empty if it is not.
+    """
     g, z_c = float(np.linalg.norm(model.opt.gravity)), controller.com_height
-    speed = USUAL_SPEED * float(np.sqrt(g * z_c))
     if speed > controller.speed_limit:
         return [f"reach: the legs reach {controller.speed_limit:.3f} m/s, less than a usual walk's {speed:.3f} m/s"]
-    ramp = _core.VelocityProfile([0.0, 10.0], np.array([[0.0, 0.0, 0.0], [speed, 0.0, 0.0]]), "linear")
-    try:
-        share = _core.WalkingController(model, description, settings=_core.WalkSettings(), profile=ramp).knee_share(
-            speed
-        )
-    except Error as error:
-        return [f"a usual walk of {speed:.3f} m/s is refused: {error}"]
+    if refusal:
+        return [f"a usual walk of {speed:.3f} m/s is refused: {refusal}"]
+    share = controller.knee_share(speed)
     remarks = []
     if share > HEAVY_ROTOR:
         remarks.append(

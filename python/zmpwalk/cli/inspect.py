@@ -1,0 +1,111 @@
+"""`zmpwalk inspect`: what is found in a robot's model, and why it cannot walk."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import click
+
+from ..errors import InputError, ModelError
+from ..files import as_input_error, whole
+from ..robots import examine, robot_file, write_description
+from .terminal import BAD_INPUT, STOOD, complain, new_console, number
+
+__all__ = ["command"]
+
+
+@click.command("inspect")
+@click.argument("model")
+@click.option("--json", "as_json", is_flag=True, help="Print what was found as JSON.")
+@click.option("--write", type=click.Path(path_type=Path), metavar="FILE", help="Write it as a robot.json.")
+@click.option(
+    "--figure", type=click.Path(path_type=Path), metavar="FILE", help="Draw robot, soles and COM: .png, .pdf or .svg."
+)
+def command(model: str, as_json: bool, write: Path | None, figure: Path | None) -> int:
+    """Show what is found in MODEL: a robot's name, menagerie:NAME, a robot.json, or any .xml with a robot on two legs.
+
+    Where it cannot walk: why, a line for each reason.
+    """
+    if figure is not None and figure.suffix.lower() not in (".png", ".pdf", ".svg"):
+        raise InputError(f"--figure {figure}: give a .png, .pdf or .svg")
+    try:
+        loaded, proposal = examine(model)
+    except ModelError as error:
+        for reason in error.reasons:
+            complain(reason)
+        return BAD_INPUT
+    if write is not None:
+        write_description(write, robot_file(model), proposal)
+    if figure is not None:
+        _draw(figure, loaded, proposal)
+    if as_json:
+        click.echo(json.dumps(proposal.table, indent=2, allow_nan=False))
+    else:
+        _print_inspection(proposal.table)
+        for written in filter(None, (write, figure)):
+            click.echo(f"\nwritten: {written}")
+    return STOOD
+
+
+def _draw(path: Path, model: Any, proposal: Any) -> None:
+    from ..figures.robot import draw  # matplotlib is slow to import
+
+    figure = draw(model, proposal)
+    with as_input_error(path), whole(path) as draft:
+        figure.savefig(draft)
+
+
+def _print_inspection(found: dict[str, Any]) -> None:
+    from rich.table import Table
+
+    console = new_console()
+    facts = Table(box=None, show_header=False, pad_edge=False)
+    facts.add_column(no_wrap=True)
+    facts.add_column()
+    base, bounds = found["base"], found["zmp_bounds_m"]
+    facts.add_row("robot", found["name"])
+    facts.add_row("base", f"body {base['body']}, free joint {base['joint'] or 'without a name'}")
+    facts.add_row("mass", f"{found['mass_kg']:.2f} kg")
+    facts.add_row("COM height", f"{found['com_height_m']:.3f} m over the soles; T_c = {found['T_c_s']:.4f} s")
+    for side in ("left", "right"):
+        foot = found["feet"][side]
+        site = f", site {foot['sole_site']}" if foot["sole_site"] else ""
+        x, y, _ = (round(number, 3) + 0.0 for number in foot["sole_center_m"])  # + 0.0: no minus before a zero
+        facts.add_row(f"{side} foot", f"body {foot['body']}{site}")
+        size = f"{foot['length_m']:.3f} × {foot['width_m']:.3f} m"
+        facts.add_row(f"{side} sole", f"{size}, stands at x {x:+.3f}, y {y:+.3f} m")
+        if bounds:
+            (x0, y0), (x1, y1) = bounds[side]
+            facts.add_row("  ZMP within", f"x {x0:+.3f} .. {x1:+.3f}, y {y0:+.3f} .. {y1:+.3f} m of its centre")
+    share = f"at the stand {100 * found['leg_share']:.0f} % of both"
+    facts.add_row("legs", f"thigh {found['thigh_m']:.3f} m, shank {found['shank_m']:.3f} m, {share}")
+    limit = found["speed_limit_mps"]
+    facts.add_row("speed in reach", f"up to {limit:.3f} m/s" if limit is not None else "none: see below")
+    facts.add_row(
+        "stand pose", (found["stand_keyframe"] and f"keyframe {found['stand_keyframe']}") or "from the description"
+    )
+    facts.add_row("joints", ", ".join(f"{role} {count}" for role, count in found["roles"].items()))
+    console.print(facts)
+    console.print()
+    joints = Table(box=None, pad_edge=False)
+    for words in ("joint", "part of", "turns"):
+        joints.add_column(words, no_wrap=True)
+    for numbers in ("stand [rad]", "range [rad]", "torque limit [N m]"):
+        joints.add_column(numbers, justify="right", no_wrap=True)
+    for joint in found["joints"]:
+        low_high = joint["range_rad"]
+        joints.add_row(
+            joint["name"],
+            joint["role"],
+            joint["turns"],
+            f"{joint['stand_rad']:+.3f}",
+            f"{low_high[0]:+.2f} .. {low_high[1]:+.2f}" if low_high else "–",
+            number(joint["torque_limit_Nm"], 1),
+        )
+    console.print(joints)
+    if found["remarks"]:
+        console.print("\nunsure, or worth knowing:")
+    for remark in found["remarks"]:
+        console.print(f"- {remark}")

@@ -1,0 +1,133 @@
+"""Options that several commands share, and how their words become settings."""
+
+from __future__ import annotations
+
+import functools
+import math
+from pathlib import Path
+from typing import Any, Callable
+
+import click
+
+from .._core import WalkSettings
+from ..errors import InputError
+from ..settings import load_settings, nearest
+
+__all__ = ["parse", "robot_option", "settings_options", "size_of", "walk_options"]
+
+FOOTSTEPS = ("tied", "absolute", "paper", "printed")
+
+
+def settings_options(command: Callable) -> Callable:
+    """Options that make `WalkSettings`, which the command gets as `settings`."""
+
+    @click.option(
+        "--law",
+        type=click.Choice(["default", "paper"]),
+        help="The control law's preset.  [default: that of the settings file, else default]",
+    )
+    @click.option("--settings", "file", type=click.Path(path_type=Path), help="A TOML file of settings.")
+    @click.option(
+        "--footsteps",
+        help='tied, absolute, paper, printed, or lengths "0.1,0.15,0.2" [m]; the law\'s own if not given.',
+    )
+    @click.option(
+        "--set",
+        "changes",
+        multiple=True,
+        metavar="NAME=VALUE",
+        help="Change one setting of WalkSettings; may be repeated.",
+    )
+    @functools.wraps(command)
+    def with_settings(
+        law: str | None, file: Path | None, footsteps: str | None, changes: tuple[str, ...], **options: Any
+    ) -> int:
+        return command(settings=_settings(law, file, footsteps, changes), **options)
+
+    return with_settings
+
+
+robot_option = click.option(
+    "--robot",
+    default="mahru",
+    show_default=True,
+    help="A robot's name, menagerie:NAME, or a path to a robot.json or an .xml.",
+)
+
+
+def walk_options(command: Callable) -> Callable:
+    """What walks, along which velocities, for how long."""
+    profile = click.option(
+        "--profile",
+        default="paper",
+        show_default=True,
+        help='Planned velocity: paper, a CSV file (FILE:linear joins its rows), "0.2" or "0:0.1,5:0.2/0/0.3".',
+    )
+    duration = click.option("--duration", type=float, default=8.0, show_default=True, help="Simulated time [s].")
+    return robot_option(profile(duration(settings_options(command))))
+
+
+def _settings(law: str | None, file: Path | None, footsteps: str | None, changes: tuple[str, ...]) -> Any:
+    """WalkSettings from a file, the preset's name, --footsteps and the --set words; the later ones win.
+
+    Raises:
+        InputError: an unknown setting, or a value it cannot have.
+    """
+    known = WalkSettings().to_dict()
+    values: dict[str, Any] = {}
+    if footsteps is not None:
+        values["footsteps"] = footsteps if footsteps in FOOTSTEPS else _lengths(footsteps)
+    for change in changes:
+        name, equals, text = change.partition("=")
+        name = name.strip()
+        if not equals:
+            raise InputError(f"--set {change}: write it as NAME=VALUE")
+        if name not in known:
+            raise InputError(f"--set {change}: no setting '{name}'; there is {', '.join(nearest(name, known))}")
+        values[name] = parse(text.strip(), known[name], change)
+    law = values.pop("law", law)
+    return load_settings(file, law, **values) if file else WalkSettings(law=law or "default", **values)
+
+
+def _lengths(text: str) -> list[float]:
+    try:
+        lengths = [float(word) for word in text.split(",")]
+    except ValueError:
+        lengths = []
+    if not lengths or not all(map(math.isfinite, lengths)):
+        raise InputError(f'--footsteps "{text}": it is {", ".join(FOOTSTEPS)}, or lengths "0.1,0.15,0.2" [m]')
+    return lengths
+
+
+def parse(text: str, like: Any, change: str) -> Any:
+    """A value of the kind of `like`."""
+    words = {"true": True, "on": True, "yes": True, "false": False, "off": False, "no": False}
+    try:
+        if isinstance(like, bool):
+            return words[text.lower()] if text.lower() in words else bool(("0", "1").index(text))
+        if isinstance(like, int):
+            return int(text)
+        if isinstance(like, float):
+            return float(text)
+        if isinstance(like, (list, tuple)):
+            return [float(word) for word in text.split(",") if word.strip()]
+        if isinstance(like, dict):
+            return {key.strip(): float(word) for key, word in (pair.split(":") for pair in text.split(","))}
+    except ValueError:
+        kinds = {bool: "true or false", int: "an integer", dict: 'written as "l_knee:100,r_knee:100"'}
+        kind = kinds.get(type(like), "a number")
+        raise InputError(f"--set {change}: '{text}' is not {kind}") from None
+    return text
+
+
+def size_of(text: str) -> tuple[int, int]:
+    """Width and height of a picture.
+
+    Raises:
+        InputError: not WIDTHxHEIGHT.
+    """
+    try:
+        width, height = map(int, text.lower().split("x"))
+    except ValueError:
+        raise InputError(f"--size {text}: give width x height, such as 1280x720") from None
+    return width, height

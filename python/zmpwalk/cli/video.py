@@ -1,0 +1,76 @@
+"""`zmpwalk video`: a film of a walk."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import click
+
+from .. import render
+from ..errors import InputError
+from ..files import as_input_error
+from ..simulation import simulate
+from ..trace import Trace
+from .options import size_of, walk_options
+from .terminal import STOOD, Progress
+
+__all__ = ["command"]
+
+
+@click.command("video")
+@click.argument("trace", type=click.Path(path_type=Path), required=False)
+@walk_options
+@click.option("--out", type=click.Path(path_type=Path), default="walk.mp4", show_default=True, help=".mp4 or .gif.")
+@click.option("--speed", type=float, default=1.0, show_default=True, help="0.5 is slow motion.")
+@click.option("--fps", type=int, default=25, show_default=True, help="Pictures per second of the film.")
+@click.option("--size", default="640x480", show_default=True, help="Width x height [pixels].")
+@click.option("--azimuth", type=float, help="Direction to look in: 0 along x, 90 along y [deg].")
+@click.option("--shadows", is_flag=True, help="Draw shadows and reflections; takes twice as long.")
+def command(
+    trace: Path | None,
+    robot: str,
+    profile: str,
+    duration: float,
+    settings: Any,
+    out: Path,
+    speed: float,
+    fps: int,
+    size: str,
+    azimuth: float | None,
+    shadows: bool,
+) -> int:
+    """Film a walk: that of a TRACE file, or a new one by the options of `zmpwalk walk`."""
+    if out.suffix.lower() not in (".mp4", ".gif"):
+        raise InputError(f"--out {out}: give a .mp4 or .gif")
+    if not out.absolute().parent.is_dir():
+        raise InputError(f"'{out.absolute().parent}' is not a folder, {out.name} cannot be written there")
+    width, height = size_of(size)
+    camera = None if azimuth is None else {"azimuth": azimuth}
+    if trace is not None:
+        given = _given("robot", "profile", "duration", "law", "file", "footsteps", "changes")
+        if given:
+            raise InputError(f"{given[0]} is for a new walk; {trace} is one already")
+        walked = Trace.load(trace)
+    else:
+        with Progress(duration) as progress:
+            walked = simulate(robot, profile, duration, settings, progress.at)
+    with Progress(walked.duration, "film") as progress:
+        try:
+            with as_input_error(out):
+                render.video(walked, out, fps, width, height, speed, camera, shadows=shadows, on_progress=progress.at)
+        except ImportError as error:
+            raise InputError(str(error)) from None
+    click.echo(str(out))
+    return STOOD
+
+
+def _given(*names: str) -> list[str]:
+    """Options among `names` that stand on the command line."""
+    context = click.get_current_context()
+    return [
+        parameter.opts[0]
+        for parameter in context.command.params
+        if parameter.name in names
+        and context.get_parameter_source(parameter.name) is click.core.ParameterSource.COMMANDLINE
+    ]

@@ -1,0 +1,26 @@
+"""`zmpwalk view`: a window on a robot that the keyboard walks."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import click
+
+from .. import view
+from .options import robot_option, settings_options, size_of
+from .terminal import STOOD
+
+__all__ = ["command"]
+
+
+@click.command("view")
+@robot_option
+@settings_options
+@click.option("--speed", type=float, default=1.0, show_default=True, help="Simulated seconds in a second.")
+@click.option("--size", default="1280x800", show_default=True, help="Width x height of the window.")
+@click.option("--no-shadows", is_flag=True, help="Draw no shadows and reflections: faster without a graphics card.")
+def command(robot: str, settings: Any, speed: float, size: str, no_shadows: bool) -> int:
+    """Open a window on a robot that the keyboard walks: W S A D, arrows, space; R restarts, Esc quits."""
+    width, height = size_of(size)
+    view.view(robot, settings, speed, width, height, shadows=not no_shadows)
+    return STOOD

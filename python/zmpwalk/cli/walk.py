@@ -1,0 +1,149 @@
+"""`zmpwalk walk`: a walk in MuJoCo, and its trace, summary and figures in a folder."""
+
+from __future__ import annotations
+
+import json
+import math
+import sys
+from pathlib import Path
+from typing import Any
+
+import click
+
+from ..figures import FILES
+from ..files import as_input_error, together
+from ..motion import JointMotion
+from ..profiles import profile_of
+from ..robots import examine
+from ..simulation import WalkingController, check_duration, run
+from ..trace import Trace
+from .options import walk_options
+from .terminal import FELL, INTERRUPTED, STOOD, Progress, new_console, number
+
+__all__ = ["command"]
+
+MISMATCH = 0.002  # of footsteps and planned velocity worth a warning [m/s]; 0.004 fells the literal law within 30 s
+
+
+@click.command("walk")
+@walk_options
+@click.option("--motion", type=click.Path(path_type=Path), help="CSV of arm, waist, trunk angles: t,JOINT,...")
+@click.option("--out", type=click.Path(path_type=Path), help="Folder to write into.  [default: out/ROBOT-LAW]")
+@click.option("--json", "as_json", is_flag=True, help="Print the summary as JSON, and nothing else, on stdout.")
+@click.option("--no-figures", is_flag=True, help="Write trace and summary only.")
+def command(
+    robot: str,
+    profile: str,
+    motion: Path | None,
+    duration: float,
+    settings: Any,
+    out: Path | None,
+    as_json: bool,
+    no_figures: bool,
+) -> int:
+    """Walk a robot in MuJoCo, then write trace, summary and figures."""
+    # Everything that can be wrong is found out before anything is written.
+    velocity = profile_of(profile)
+    duration = check_duration(duration)
+    model, found = examine(robot)
+    name = robot if robot.isidentifier() else found.description.name
+    controller = WalkingController(model, found.description, settings, velocity)
+    controller.move(None if motion is None else JointMotion.from_csv(motion))
+    mismatch = controller.plan_mismatch(duration)
+    out = out or Path("out") / f"{name}-{settings.law}"
+    with together(out) as (draft, deliver):
+        for remark in found.remarks:
+            print(f"zmpwalk: note: {remark}", file=sys.stderr)
+        if abs(mismatch) > MISMATCH:
+            kind = "faster" if mismatch > 0 else "slower"
+            print(
+                f"zmpwalk: warning: the footsteps go {abs(mismatch):.4f} m/s {kind} than the planned velocity",
+                file=sys.stderr,
+            )
+        progress = Progress(duration)
+        try:
+            with as_input_error(out):
+                with progress:
+                    trace = run(controller, duration, progress.at, robot=name)
+                files = _write(trace, draft, no_figures)
+        except KeyboardInterrupt:
+            print(f"zmpwalk: stopped at t = {progress.t:.2f} s of {duration:g} s; nothing was written", file=sys.stderr)
+            return INTERRUPTED
+        deliver(files)
+        _remove_stale_figures(out, files)
+
+    summary = trace.summary()
+    if as_json:
+        click.echo(json.dumps(summary, indent=2, allow_nan=False))
+    else:
+        _print_summary(summary, out, len(files))
+    if summary["fell"]:
+        print(
+            f"zmpwalk: fell at t = {summary['fall_time']:.3f} s: {summary['fall_cause'] or 'cause unknown'}",
+            file=sys.stderr,
+        )
+        return FELL
+    return STOOD
+
+
+def _write(trace: Trace, folder: Path, no_figures: bool) -> list[Path]:
+    files = [trace.save(folder / "trace.npz"), folder / "summary.json"]
+    files[1].write_text(json.dumps(trace.summary(), indent=2, allow_nan=False) + "\n", encoding="utf-8")
+    if not no_figures:
+        from .. import plot  # matplotlib is slow to import
+
+        files += plot.save_all(trace, folder)
+    return files
+
+
+def _remove_stale_figures(out: Path, files: list[Path]) -> None:
+    """Figures of an earlier walk would tell lies beside the trace of this one."""
+    new = {file.name for file in files}
+    for old in (f"{stem}.png" for stem in FILES.values()):
+        if old not in new and (out / old).exists():
+            (out / old).unlink()
+
+
+def _print_summary(summary: dict[str, Any], out: Path, count: int) -> None:
+    from rich.table import Table
+
+    console, error = new_console(), summary["zmp_error_mm"]
+    steps = Table(title="mean speed per step [m/s]", title_justify="left", box=None, pad_edge=False)
+    for heading in ("from [s]", "planned", "walked", "off by"):
+        steps.add_column(heading, justify="right")
+    speeds = list(zip(summary["planned_speed_per_step"], summary["mean_speed_per_step"]))
+    period = summary["step_period"]
+    shown = range(len(speeds)) if len(speeds) <= 12 else (*range(6), None, *range(len(speeds) - 3, len(speeds)))
+    for k in shown:
+        if k is None:
+            steps.add_row("...", "", "", "")
+            continue
+        plan, speed = speeds[k]
+        off = f"{100 * (speed / plan - 1):+.2f} %" if plan else f"{speed - plan:+.4f}"
+        steps.add_row(f"{k * period:.1f}", f"{plan:.4f}", f"{speed:.4f}", off)
+
+    facts = Table(box=None, show_header=False, pad_edge=False)
+    facts.add_column()
+    facts.add_column(justify="right")
+    facts.add_column()
+    end = f"fell at {summary['fall_time']:.3f} s" if summary["fell"] else "stood to the end"
+    facts.add_row("walk", f"{summary['duration']:g} s", f"{summary['step_count']} steps, {end}")
+    for label, key in (
+        ("median", "median"),
+        ("95th percentile", "p95"),
+        ("same, single support", "single_support_p95"),
+    ):
+        facts.add_row("ZMP error, " + label, " / ".join(number(e, 4) for e in error[key]), "mm, x / y")
+    iterations, cycle = summary["iterations"], summary["cycle_us"]
+    facts.add_row(
+        "iterations",
+        f"{number(iterations['mean'], 1)} / {number(iterations['max'], 0)}",
+        "mean / max where the ZMP was modified",
+    )
+    facts.add_row("peak torque", number(100 * (summary["peak_torque_ratio"] or math.nan), 0), "% of the limit")
+    facts.add_row(
+        "control cycle", f"{number(cycle['median'], 0)} / {number(cycle['p99'], 0)}", "µs, median / 99th percentile"
+    )
+    facts.add_row("real-time factor", number(summary["real_time_factor"], 1), "× real time")
+    console.print(steps, "", facts, sep="\n")
+    console.print(f"\n{count} files in {out}", soft_wrap=True)
