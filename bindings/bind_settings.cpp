@@ -54,7 +54,7 @@ Row row_of(const T& value, const Setting& row) {
   return out;
 }
 
-/// What the setting is for, its unit and its default: its docstring.
+/// What the setting is for, its unit, its words and its default, in one paragraph.
 std::string text_of(const Row& row) {
   std::string text = row.meaning + (row.unit.empty() ? "" : " [" + row.unit + "]");
   for (const std::string& word : row.words) text += (&word == &row.words.front() ? " One of '" : ", '") + word + "'";
@@ -111,7 +111,7 @@ void assign(const std::string& asked, const py::handle& value, const Setting& ro
 void assign(const std::string& asked, const py::handle& value, const Setting& row, StepsSettings& steps,
             Footsteps& mode) {
   if (py::isinstance<py::str>(value)) return from_python(asked, value, row, mode);
-  from_python(asked, value, {"", "", "", "m", kAny, {}, ""}, steps.lengths);
+  from_python(asked, value, {"", "", "", "m", must_be::kAnything, {}, ""}, steps.lengths);
   mode = Footsteps::kList;
 }
 
@@ -250,6 +250,7 @@ void bind_settings(py::module_& m) {
       .def_readonly("default", &Row::default_value, "default; NaN where it depends on the robot")
       .def_readonly("rule", &Row::rule, "how the robot gives its default; '' where it does not depend on the robot")
       .def_readonly("meaning", &Row::meaning, "what it is for")
+      .def_property_readonly("text", &text_of, "what it is for, its unit, its words and its default, in one paragraph")
       .def("__repr__", [](const Row& r) { return "Setting(" + r.group + "." + r.name + ": " + text_of(r) + ")"; });
   py::class_<WalkSettings> cls(m, "WalkSettings");
   const std::string text = documentation();
@@ -274,6 +275,30 @@ void bind_settings(py::module_& m) {
         return out;
       },
       "Every setting, as a `Setting` by its path such as 'tracking.gain'.");
+  cls.def_static(
+      "find",
+      [](const std::string& name) {
+        const WalkSettings fresh;
+        py::object out;
+        visit_settings(fresh, [&](const auto& member, const Setting& row) {
+          if (name == row.flat || name == row.path()) out = py::cast(row_of(member, row));
+        });
+        if (!out) throw InputError(no_such_setting(name));
+        return out.cast<Row>();
+      },
+      "name"_a,
+      "The row of one setting.\n\nArgs:\n    name: 'tracking.gain', or its one word 'tracker_gain'.\n\nRaises:\n    "
+      "InputError: there is none; the message names the nearest.\n\nUsage: `print(WalkSettings.find('T_ss').text)`");
+  cls.def(
+      "update",
+      [](WalkSettings& s, const py::kwargs& changes) {
+        WalkSettings changed = s;
+        for (const auto& [name, value] : changes) set(changed, py::str(name), value);
+        s = changed;
+      },
+      "Changes settings, named as in the constructor: all of them or, if one is refused, none.\n\nRaises:\n    "
+      "InputError: an unknown name or a value of the wrong type.\n\nUsage: `settings.update(tracking={'gain': 3.0}, "
+      "T_ss=0.6)`");
   cls.def("to_dict", &to_dict, "All settings by their one word, as plain Python values.");
   cls.def("__repr__", [](const WalkSettings& s) { return "WalkSettings(" + std::string(py::str(to_dict(s))) + ")"; });
   cls.def(

@@ -37,7 +37,7 @@ std::string no_such_setting(const std::string& wanted) {
   constexpr std::size_t kMost = 3;
   std::vector<std::pair<int, std::string>> near;
   std::vector<std::string> groups, names;
-  const int enough = std::max(2, static_cast<int>(wanted.size()) / 3);
+  const int enough = std::max(1, static_cast<int>(wanted.size()) / 3);
   const WalkSettings any;
   visit_groups(any, [&](const auto& group) {
     groups.emplace_back(group.kGroup);
@@ -49,7 +49,7 @@ std::string no_such_setting(const std::string& wanted) {
   });
   std::stable_sort(near.begin(), near.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   for (const auto& [distance, name] : near)
-    if (distance <= enough && distance <= near.front().first + 1 && names.size() < kMost) names.push_back(name);
+    if (distance <= enough && distance == near.front().first && names.size() < kMost) names.push_back(name);
   const std::string text = "there is no setting '" + wanted + "'; ";
   return names.empty() ? text + "the groups are " + joined(groups, " and ")
                        : text + "did you mean " + joined(names, " or ") + "?";

@@ -14,7 +14,8 @@ namespace {
 constexpr double kReferenceHeight = 0.747;
 constexpr double kReferencePeriod = 0.8;
 
-void check(const std::string& name, double value, const Range& range) {
+template <class Number>
+void check(const std::string& name, Number value, const Range& range) {
   if (!range.holds(value)) throw InputError(name + " = " + std::to_string(value) + "; it must be " + range.text);
 }
 

@@ -42,24 +42,29 @@ struct Quantity {
   double (*times)(double factor, const Scale& scale);
 };
 
-inline constexpr Quantity kHeight{"z_c", [](double f, const Scale& s) { return f * s.robot.com_height; }};
+namespace of {
+
+inline constexpr Quantity kComHeight{"z_c", [](double f, const Scale& s) { return f * s.robot.com_height; }};
 inline constexpr Quantity kGravity{"g", [](double f, const Scale& s) { return f * s.robot.gravity; }};
-inline constexpr Quantity kSpeed{"sqrt(g z_c)", [](double f, const Scale& s) { return f * s.speed; }};
-inline constexpr Quantity kTime{"T_c", [](double f, const Scale& s) { return f * s.Tc; }};
-inline constexpr Quantity kPerTime{"/ T_c", [](double f, const Scale& s) { return f / s.Tc; }};
-inline constexpr Quantity kPerTimeSquared{"/ T_c^2", [](double f, const Scale& s) { return f / (s.Tc * s.Tc); }};
-inline constexpr Quantity kPeriod{"of the step's period, 0.8 s sqrt(z_c / 0.747 m)",
-                                  [](double f, const Scale& s) { return f * s.period; }};
+inline constexpr Quantity kFroudeSpeed{"sqrt(g z_c)", [](double f, const Scale& s) { return f * s.speed; }};
+inline constexpr Quantity kTimeConstant{"T_c", [](double f, const Scale& s) { return f * s.Tc; }};
+inline constexpr Quantity kPerTimeConstant{"/ T_c", [](double f, const Scale& s) { return f / s.Tc; }};
+inline constexpr Quantity kPerTimeConstantSquared{"/ T_c^2",
+                                                  [](double f, const Scale& s) { return f / (s.Tc * s.Tc); }};
+inline constexpr Quantity kStepPeriod{"of the step's period, 0.8 s sqrt(z_c / 0.747 m)",
+                                      [](double f, const Scale& s) { return f * s.period; }};
 /// Gains that were found on the robot of section IV and keep their meaning on one that is faster or slower.
 inline constexpr Quantity kStiffness{"(0.276 s / T_c)^2", [](double f, const Scale& s) { return f * s.rate * s.rate; }};
 inline constexpr Quantity kDamping{"(0.276 s / T_c)", [](double f, const Scale& s) { return f * s.rate; }};
+
+}  // namespace of
 
 /// Default of a setting that depends on the robot: `factor` times a quantity, or a rule of its own.
 struct Default {
   constexpr Default() = default;
   constexpr Default(double factor, const Quantity& of) : factor_(factor), of_(of) {}
-  /// @param rule  in words; `value` ignores its first argument
-  constexpr Default(const char* rule, double (*value)(double, const Scale&)) : of_{rule, value} {}
+  /// @param rule  in words; `times` is the rule itself and ignores its first argument
+  constexpr Default(const char* rule, double (*times)(double, const Scale&)) : of_{rule, times} {}
 
   bool from_robot() const { return of_.times != nullptr; }
   double value(const Scale& scale) const { return of_.times(factor_, scale); }
@@ -76,13 +81,17 @@ struct Range {
   bool (*holds)(double);
 };
 
+namespace must_be {
+
 inline constexpr Range kFinite{"finite", [](double x) { return std::isfinite(x); }};
 inline constexpr Range kNotNegative{"finite and not negative", [](double x) { return std::isfinite(x) && x >= 0.0; }};
 inline constexpr Range kPositive{"finite and greater than 0", [](double x) { return std::isfinite(x) && x > 0.0; }};
 inline constexpr Range kShare{"in 0..1", [](double x) { return x >= 0.0 && x <= 1.0; }};
 inline constexpr Range kAtLeastOne{"at least 1", [](double x) { return x >= 1.0; }};
 /// What is no number has no range: its type says what it may be.
-inline constexpr Range kAny{"", [](double) { return true; }};
+inline constexpr Range kAnything{"", [](double) { return true; }};
+
+}  // namespace must_be
 
 /// One row of the table of settings.
 struct Setting {
