@@ -215,6 +215,7 @@ lint: $(B)/dev.stamp $(B)/installed.stamp
 
 stubs: $(B)/dev.stamp $(B)/installed.stamp
 	cd $(B) && $(VENV)/bin/pybind11-stubgen zmpwalk._core -o stubs >/dev/null
+	$(PY) bindings/stubs.py $(B)/stubs/zmpwalk/_core.pyi
 	cp $(B)/stubs/zmpwalk/_core.pyi python/zmpwalk/_core.pyi
 	ruff format -q python/zmpwalk/_core.pyi
 

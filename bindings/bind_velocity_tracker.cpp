@@ -7,7 +7,7 @@ void bind_velocity_tracker(py::module_& m) {
   py::class_<VelocityTracker>(m, "VelocityTracker", "Planned-velocity tracking along one axis, III-C.")
       .def(py::init([](const std::string& law, double gain, double time, double deadband, double reach) {
              TrackerLaw parsed;
-             from_string(law, parsed);
+             from_string("law", law, parsed);
              return VelocityTracker(parsed, gain, time, deadband, reach);
            }),
            "law"_a = "smooth", "gain"_a = 5.0, "time"_a = 0.05, "deadband"_a = 2e-4,

@@ -1,14 +1,14 @@
-"""Settings as TOML files: read, and written with every value in force, its unit and where it comes from."""
+"""Settings as TOML files: read, and written with every value in force, what it is for and where it comes from."""
 
 from __future__ import annotations
 
-import difflib
 import json
 import math
 import os
 import sys
+import textwrap
 from pathlib import Path
-from typing import Any, Iterable
+from typing import Any
 
 from ._core import WalkingController, WalkSettings
 from .errors import InputError
@@ -25,10 +25,11 @@ def load_settings(path: str | os.PathLike, law: str | None = None, **changes: An
     """Settings from a TOML file.
 
     Args:
-        path: the file: `name = value` for any setting of `WalkSettings`, `law` for the preset that the others change,
-            and a table `[torque_limits]` of joint name = N m. `zmpwalk settings ROBOT` prints one with every value.
+        path: the file: a table per group of settings, such as `[tracking]` with `gain = 3.0`; a setting's one word does
+            the same outside of all tables (`tracker_gain = 3.0`); `law` is the preset that they change.
+            `zmpwalk settings ROBOT` prints a file with every setting.
         law: preset in place of the file's.
-        changes: settings in place of the file's.
+        changes: settings in place of the file's, named as for `WalkSettings`.
 
     Returns:
         The settings; what neither names stays the preset's.
@@ -45,33 +46,22 @@ def load_settings(path: str | os.PathLike, law: str | None = None, **changes: An
         raise InputError(f"{path}: {(error.strerror or str(error)).lower()}") from None
     except ValueError as error:  # TOML and encoding
         raise InputError(f"{path}: not TOML: {error}") from None
-    values.update(changes)
-    known = WalkSettings.table()
-    for name in values:
-        if name not in known and name != "law":
-            raise InputError(f"{path}: no setting '{name}'; there is {', '.join(nearest(name, known))}")
     preset = values.pop("law", "default")
     if not isinstance(preset, str):
         raise InputError(f"{path}: law = {preset!r}; it must be 'default' or 'paper'")
     try:
-        return WalkSettings(law=law or preset, **values)
+        settings = WalkSettings(law=law or preset, **values)
     except InputError as error:
         raise InputError(f"{path}: {error}") from None
-
-
-def nearest(name: str, known: Iterable[str]) -> list[str]:
-    """Up to three names that look like `name`, or all.
-
-    Usage: `nearest("T_sss", WalkSettings.table())  # -> ["T_ss"]`
-    """
-    names = list(known)
-    return difflib.get_close_matches(name, names, 3, 0.5) or sorted(names)
+    settings.update(**changes)
+    return settings
 
 
 def settings_toml(controller: WalkingController, given: WalkSettings) -> str:
     """Every setting in force on a robot, as a TOML file that `load_settings` reads back to `given`.
 
-    What was changed stands as it is, every default behind a `#`, with its value on this robot, unit and meaning.
+    A table per group. Above each setting stands what it is for. What was changed stands as it is, every default behind
+    a `#`, with its value on this robot.
 
     Args:
         controller: made with `given`; its settings are the resolved ones.
@@ -81,24 +71,42 @@ def settings_toml(controller: WalkingController, given: WalkSettings) -> str:
     """
     in_force, changed, preset = (s.to_dict() for s in (controller.settings, given, WalkSettings(law=given.law)))
     lines = [
-        f"# Settings of a walk of {controller.description.name}: every value in force. A line behind # is a",
-        "# default, which may depend on the robot and on other settings; take the # away to set it.",
+        f"# Settings of a walk of {controller.description.name}: every value in force.",
+        *_comment(
+            "Where a # stands before a name, the value is a default, which may depend on the robot and on other "
+            "settings. Take the # away to set it. In the rules, z_c is the height of the COM over the soles at the "
+            "start, g is gravity, and T_c = sqrt(z_c / g)."
+        ),
+        "",
+        *_comment("Preset that the settings below change: 'default', or 'paper' for the literal law of the paper."),
         f"law = {_toml(given.law)}",
     ]
-    for name, (unit, meaning) in WalkSettings.table().items():
-        if name == "torque_limits":
+    group = ""
+    for row in WalkSettings.table().values():
+        if row.group != group:
+            group = row.group
+            lines += ["", "", *_comment(getattr(WalkSettings, group).__doc__), f"[{group}]"]
+        lines += ["", *_comment(row.text)]
+        if row.flat == "torque_limits":
+            lines += [f"[{row.group}.{row.name}]", *_torque_limits(controller, given)]
             continue
-        value, is_default = in_force[name], _same(changed[name], preset[name])
-        if not is_default:
-            value = changed[name]
-        lines.append(f"{'# ' if is_default else ''}{name} = {_toml(value)}  # {f'[{unit}] ' if unit else ''}{meaning}")
-    lines += ["", "[torque_limits]  # [N m] " + WalkSettings.table()["torque_limits"][1]]
+        is_default = _same(changed[row.flat], preset[row.flat])
+        value = in_force[row.flat] if is_default else changed[row.flat]
+        lines.append(f"{'#' if is_default else ''}{row.name} = {_toml(value)}")
+    return "\n".join(lines) + "\n"
+
+
+def _comment(text: str) -> list[str]:
+    return textwrap.wrap(text, 96, initial_indent="# ", subsequent_indent="# ", break_on_hyphens=False)
+
+
+def _torque_limits(controller: WalkingController, given: WalkSettings) -> list[str]:
+    lines = []
     for joint, limit in zip(controller.joint_names, controller.torque_limit):
         own = joint not in given.torque_limits
-        path = controller.torque_path[joint]
-        limit = float(limit) if own else given.torque_limits[joint]
-        lines.append(f"{'# ' if own else ''}{_key(joint)} = {_toml(limit)}  # {path}")
-    return "\n".join(lines) + "\n"
+        value = float(limit) if own else given.torque_limits[joint]
+        lines.append(f"{'#' if own else ''}{_key(joint)} = {_toml(value)}  # {controller.torque_path[joint]}")
+    return lines
 
 
 def _same(a: Any, b: Any) -> bool:

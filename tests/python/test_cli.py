@@ -74,7 +74,7 @@ def test_json_prints_the_summary_and_nothing_else_on_stdout(zmpwalk_command, tmp
 
 def test_options_reach_the_walk(zmpwalk_command, tmp_path):
     (tmp_path / "v.csv").write_text("t,vx\n0,0.1\n0.2,0.12\n")
-    options = ("--law", "paper", "--footsteps", "0.1,0.15", "--profile", "v.csv", "--set", "zmp_threshold=0.002")
+    options = ("--law", "paper", "--footsteps", "0.1,0.15", "--profile", "v.csv", "--set", "zmp.threshold=0.002")
     done = zmpwalk_command("walk", "--duration", 0.3, "--no-figures", *options, cwd=tmp_path)
     assert done.returncode == 0, done.stderr
     trace = Trace.load(tmp_path / "out" / "mahru-paper" / "trace.npz")
@@ -129,7 +129,7 @@ def test_mismatch_of_footsteps_and_plan_is_told_beforehand(zmpwalk_command, tmp_
         (("walk", "--law", "mine"), "'mine' is not one of"),
         (("walk", "--footsteps", "long"), '--footsteps "long"'),
         (("walk", "--footsteps", "0.1,nan"), '--footsteps "0.1,nan"'),
-        (("walk", "--set", "T_sss=1"), "no setting 'T_sss'; there is T_ss"),
+        (("walk", "--set", "T_sss=1"), "no setting 'T_sss'; did you mean gait.T_ss"),
         (("walk", "--set", "T_ss"), "NAME=VALUE"),
         (("walk", "--set", "T_ss=long"), "'long' is not a number"),
         (("walk", "--set", "posture_task=perhaps"), "'perhaps' is not true or false"),

@@ -8,13 +8,13 @@
 namespace zmpwalk {
 
 ArmSwing::ArmSwing(const Robot& robot, const WalkSettings& settings)
-    : share_(settings.momentum_arms),
-      kp_(settings.momentum_kp),
-      kd_(settings.momentum_kd),
+    : share_(settings.arms.momentum),
+      kp_(settings.arms.kp),
+      kd_(settings.arms.kd),
       arms_(robot.arm_joints()),
       swinging_(arms_),
       c_(VecX::Zero(robot.nv())) {
-  if (on() && (arms_.empty() || !settings.posture_task))
+  if (on() && (arms_.empty() || !settings.posture.task))
     throw InputError("momentum_arms = " + std::to_string(share_) +
                      " needs the posture task and joints outside the legs that carry less than a fifth of the robot; 0 "
                      "does without");

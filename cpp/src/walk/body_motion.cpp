@@ -12,9 +12,9 @@ constexpr std::array<const char*, 3> kTrunkNames{"trunk_roll", "trunk_pitch", "t
 BodyMotion::BodyMotion(const Robot& robot, const WalkSettings& settings)
     : robot_(&robot),
       reference_((VecX(robot.joints() + 3) << robot.stand(), Vec3::Zero()).finished()),
-      posture_task_(settings.posture_task),
-      blend_(settings.motion_blend),
-      tilt_(0.5 * settings.fall_tilt) {}
+      posture_task_(settings.posture.task),
+      blend_(settings.posture.motion_blend),
+      tilt_(0.5 * settings.fall.tilt) {}
 
 int BodyMotion::coordinate(const std::string& name) const {
   std::string known;

@@ -7,8 +7,8 @@ namespace zmpwalk {
 
 ComHeight::ComHeight(double z_c, double gravity, const WalkSettings& settings)
     : gravity_(gravity),
-      dt_(settings.control_dt),
-      rate_(1.0 / settings.crouch_time),
+      dt_(settings.control.dt),
+      rate_(1.0 / settings.com.crouch_time),
       z_c_(z_c),
       pendulum_(z_c, gravity) {}
 

@@ -7,16 +7,16 @@
 namespace zmpwalk {
 
 ComReference::ComReference(const WalkSettings& settings)
-    : modifies_(settings.zmp_modification),
-      estimates_(settings.iteration != Iteration::kNone),
-      bounds_lateral_(settings.bound_lateral),
-      feed_forward_(settings.feed_forward),
-      iteration_(settings.iteration),
-      dt_(settings.control_dt),
-      threshold_(settings.zmp_threshold),
-      max_iterations_(settings.max_iterations),
-      kp_(settings.com_x_kp, settings.com_y_kp),
-      kd_(settings.com_x_kd, settings.com_y_kd) {}
+    : modifies_(settings.zmp.modification),
+      estimates_(settings.zmp.iteration != Iteration::kNone),
+      bounds_lateral_(settings.zmp.bound_lateral),
+      feed_forward_(settings.com.feed_forward),
+      iteration_(settings.zmp.iteration),
+      dt_(settings.control.dt),
+      threshold_(settings.zmp.threshold),
+      max_iterations_(settings.zmp.max_iterations),
+      kp_(settings.com.kp_x, settings.com.kp_y),
+      kd_(settings.com.kd_x, settings.com.kd_y) {}
 
 void ComReference::set_pendulum(const LinearInvertedPendulum& pendulum) {
   const double Tc = pendulum.Tc();

@@ -6,7 +6,7 @@
 namespace zmpwalk {
 
 FallWatch::FallWatch(const WalkSettings& settings)
-    : height_share_(settings.fall_height), tilt_(settings.fall_tilt), foot_tilt_(settings.fall_foot_tilt) {}
+    : height_share_(settings.fall.height), tilt_(settings.fall.tilt), foot_tilt_(settings.fall.foot_tilt) {}
 
 void FallWatch::reset(const Dynamics& dyn, const Mat3& R_HB, double com_height) {
   R_HB_ = R_HB;

@@ -14,9 +14,9 @@ std::string velocity_text(const Vec3& v) {
 LegReach::LegReach(const Robot& robot, const WalkSettings& settings, const Cadence& cadence)
     : leg_{robot.leg_at_stand(kLeft), robot.leg_at_stand(kRight)},
       hip_turn_(robot.hip_turn()),
-      least_knee_(settings.least_knee),
-      crouch_limit_(settings.crouch_limit),
-      crouch_margin_(settings.crouch_margin),
+      least_knee_(settings.com.least_knee),
+      crouch_limit_(settings.com.crouch_limit),
+      crouch_margin_(settings.com.crouch_margin),
       cadence_(cadence) {}
 
 double LegReach::along_ground(double crouch) const {

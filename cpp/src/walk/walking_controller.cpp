@@ -26,7 +26,7 @@ double top_speed(const VelocityProfile& profile) {
 
 WalkingController::WalkingController(const mjModel* model, const RobotDescription& description,
                                      const WalkSettings& settings, const VelocityProfile& profile)
-    : robot_(model, with_limits(description, settings.torque_limits)),
+    : robot_(model, with_limits(description, settings.control.torque_limits)),
       profile_(profile),
       sole_(common_sole(description)),
       settings_(resolve(settings, scale_of(robot_), top_speed(profile))),
@@ -34,25 +34,25 @@ WalkingController::WalkingController(const mjModel* model, const RobotDescriptio
       height_(height_over_soles(robot_.dynamics()), robot_.dynamics().gravity.norm(), settings_),
       gait_(settings_, profile_, sole_, bounds_),
       reach_(robot_, settings_, gait_.cadence()),
-      tracker_(settings_.tracker, settings_.tracker_gain, settings_.tracker_time, settings_.tracker_deadband,
-               settings_.tracker_reach),
+      tracker_(settings_.tracking.law, settings_.tracking.gain, settings_.tracking.time, settings_.tracking.deadband,
+               settings_.tracking.catch_up_speed),
       reference_(settings_),
       body_(robot_, settings_),
       arms_(robot_, settings_),
       whole_body_(robot_.nv(), robot_.leg_joints(),
-                  {settings_.textbook, settings_.posture_task, settings_.wrench_distribution,
-                   settings_.load_alone * 0.5 * sole_.width, settings_.contact_damping, settings_.singular_damping,
-                   settings_.singular_pivot, settings_.kernel}),
+                  {settings_.control.textbook, settings_.posture.task, settings_.contact.wrench_distribution,
+                   settings_.contact.load_alone * 0.5 * sole_.width, settings_.contact.damping,
+                   settings_.control.singular_damping, settings_.control.singular_pivot, settings_.control.kernel}),
       estimator_(robot_.nv()),
       fall_(settings_),
-      clock_(settings_.control_dt),
+      clock_(settings_.control.dt),
       R_HB_(Mat3::Identity()),
       state_(robot_.nv()),
       result_(whole_body_.result()),
       J_c_(RowMatX::Zero(12, robot_.nv())),
       drift_c_(VecX::Zero(12)) {
   if (!robot_.contacts_enabled()) throw ModelError("the model's option flags switch contacts off; walking needs them");
-  robot_.friction_velocity = settings_.friction_velocity;
+  robot_.friction_velocity = settings_.control.friction_velocity;
   f_star_.posture = VecX::Zero(robot_.joints());
   out_.tau = VecX::Zero(robot_.joints());
   for (auto& pose : out_.foot) pose.setZero();
@@ -76,7 +76,7 @@ GaitInput WalkingController::gait_input(double t, const Vec2& com, const Vec2& d
 
 WalkPlan WalkingController::plan(double duration, double dt) const {
   WalkSettings settings = settings_;
-  settings.control_dt = dt;
+  settings.control.dt = dt;
   require_positive("dt", dt);
   return plan_walk(settings, profile_, height_.pendulum(), bounds_, sole_, start_, duration);
 }
@@ -94,7 +94,7 @@ void WalkingController::move(const JointMotion& motion) {
 }
 
 double WalkingController::knee_share(double speed) const {
-  return zmpwalk::knee_share(scale_of(robot_), settings_, settings_.step_height, speed);
+  return zmpwalk::knee_share(scale_of(robot_), settings_, settings_.swing.height, speed);
 }
 
 double WalkingController::plan_mismatch(double duration) const {
@@ -125,12 +125,12 @@ void WalkingController::require_startable() const {
 double WalkingController::start_excursion(double scale) const {
   // The pendulum under the smooth tracker, its ZMP held inside the bounds of the foot that carries it, up to the second lift-off.
   const VelocityProfile& plan = gait_.plan();
-  const double dt = settings_.control_dt, period = settings_.T_ds + settings_.T_ss;
-  const double t_end = settings_.T_ds_first + period, t_switch = t_end - 0.5 * settings_.T_ds;
+  const double dt = settings_.control.dt, period = settings_.gait.T_ds + settings_.gait.T_ss;
+  const double t_end = settings_.gait.T_ds_first + period, t_switch = t_end - 0.5 * settings_.gait.T_ds;
   const double foothold =
       scale * (plan.displacement(0.0, t_switch) + 0.5 * plan.displacement(t_switch, t_switch + period)).x();
-  VelocityTracker tracker(TrackerLaw::kSmooth, settings_.tracker_gain, settings_.tracker_time,
-                          settings_.tracker_deadband);
+  VelocityTracker tracker(TrackerLaw::kSmooth, settings_.tracking.gain, settings_.tracking.time,
+                          settings_.tracking.deadband);
   const LinearInvertedPendulum& pendulum = height_.pendulum();
   const Dynamics& dyn = robot_.dynamics();
   const Vec3 middle = 0.5 * (dyn.sole[kLeft].p_WF + dyn.sole[kRight].p_WF);
@@ -231,7 +231,7 @@ void WalkingController::cycle(const State& state) {
   out_.t = state.time;
 
   // Where the walk is, and where COM and feet are to go.
-  const bool measured = settings_.com_state == ComState::kMeasured;
+  const bool measured = settings_.com.state == ComState::kMeasured;
   const Vec2 com = measured ? Vec2(dyn.com.head<2>()) : com_des_,
              dcom = measured ? Vec2(dyn.dcom.head<2>()) : dcom_des_;
   if (Vec3 live; mailbox_.take(live) && live != out_.command) gait_.command(out_.command = live);
@@ -263,26 +263,26 @@ void WalkingController::command_tasks(const Cycle& cycle) {
   const GaitOutput& gait = *cycle.gait;
   const WalkSettings& s = settings_;
   f_star_.com.z() =
-      pd_acceleration(s.com_z_kp, s.com_z_kd, height_.z() - dyn.com.z(), height_.dz() - dyn.dcom.z()) + height_.ddz();
+      pd_acceleration(s.com.kp_z, s.com.kd_z, height_.z() - dyn.com.z(), height_.dz() - dyn.dcom.z()) + height_.ddz();
   const int n = dyn.joints();
   const MotionReference& ref = body_.reference();
   const Turning trunk = turning(body_.at(n), body_.at(n + 1), body_.at(n + 2));
   const Mat3 R_WH = rotation_z(gait.heading);
   const Vec3 heading_rate(0.0, 0.0, gait.v_plan.z());
   f_star_.trunk = R_WH * trunk.alpha + heading_rate.cross(R_WH * trunk.omega);
-  f_star_.trunk += pd_acceleration(s.trunk_kp, s.trunk_kd, orientation_error(R_WH * trunk.R * R_HB_, dyn.R_WB),
+  f_star_.trunk += pd_acceleration(s.trunk.kp, s.trunk.kd, orientation_error(R_WH * trunk.R * R_HB_, dyn.R_WB),
                                    Vec3(R_WH * trunk.omega + heading_rate - dyn.omega_WB));
   f_star_.posture = ref.ddq().head(n);
   f_star_.posture +=
-      pd_acceleration(s.posture_kp, s.posture_kd, ref.q().head(n) - dyn.q, ref.dq().head(n) - dyn.dq.tail(n));
+      pd_acceleration(s.posture.kp, s.posture.kd, ref.q().head(n) - dyn.q, ref.dq().head(n) - dyn.dq.tail(n));
   if (gait.phase.phase == Phase::kDoubleSupport) return;
   const SoleState& sole = dyn.sole[gait.swing];
   const SwingTarget& target = gait.swing_target;
   Vec6 error, rate;
   error << target.p - sole.p_WF, orientation_error(target.R, sole.R_WF);
   rate << target.v, target.omega;
-  f_star_.swing = pd_acceleration(s.swing_kp, s.swing_kd, error, Vec6(rate - sole.velocity));
-  if (s.swing_feed_forward) {
+  f_star_.swing = pd_acceleration(s.swing.kp, s.swing.kd, error, Vec6(rate - sole.velocity));
+  if (s.swing.feed_forward) {
     f_star_.swing.head<3>() += target.a;
     f_star_.swing.tail<3>() += target.alpha;
   }
@@ -309,7 +309,7 @@ void WalkingController::decide_reference(const Cycle& cycle) {
   if (gait.at_rest)
     tracker_.reset();
   else
-    tracker_.advance(out_.v_des.x(), gait.v_plan.x(), settings_.control_dt);
+    tracker_.advance(out_.v_des.x(), gait.v_plan.x(), settings_.control.dt);
   out_.v_error_integral.x() = tracker_.integral();
 }
 

@@ -11,7 +11,7 @@ import click
 
 from .._core import WalkSettings
 from ..errors import InputError
-from ..settings import load_settings, nearest
+from ..settings import load_settings
 
 __all__ = ["parse", "robot_option", "settings_options", "size_of", "walk_options"]
 
@@ -36,7 +36,7 @@ def settings_options(command: Callable) -> Callable:
         "changes",
         multiple=True,
         metavar="NAME=VALUE",
-        help="Change one setting of WalkSettings; may be repeated.",
+        help="Change one setting of WalkSettings, such as tracking.gain=3; may be repeated.",
     )
     @functools.wraps(command)
     def with_settings(
@@ -73,7 +73,6 @@ def _settings(law: str | None, file: Path | None, footsteps: str | None, changes
     Raises:
         InputError: an unknown setting, or a value it cannot have.
     """
-    known = WalkSettings().to_dict()
     values: dict[str, Any] = {}
     if footsteps is not None:
         values["footsteps"] = footsteps if footsteps in FOOTSTEPS else _lengths(footsteps)
@@ -82,9 +81,11 @@ def _settings(law: str | None, file: Path | None, footsteps: str | None, changes
         name = name.strip()
         if not equals:
             raise InputError(f"--set {change}: write it as NAME=VALUE")
-        if name not in known:
-            raise InputError(f"--set {change}: no setting '{name}'; there is {', '.join(nearest(name, known))}")
-        values[name] = parse(text.strip(), known[name], change)
+        try:
+            like = "" if name == "law" else WalkSettings.find(name).default
+        except InputError as error:
+            raise InputError(f"--set {change}: {error}") from None
+        values[name] = parse(text.strip(), like, change)
     law = values.pop("law", law)
     return load_settings(file, law, **values) if file else WalkSettings(law=law or "default", **values)
 

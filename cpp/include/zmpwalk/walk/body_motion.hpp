@@ -5,7 +5,7 @@
 
 #include "zmpwalk/gait/joint_motion.hpp"
 #include "zmpwalk/robot/robot.hpp"
-#include "zmpwalk/settings.hpp"
+#include "zmpwalk/settings/settings.hpp"
 
 namespace zmpwalk {
 

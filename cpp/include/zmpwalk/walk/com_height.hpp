@@ -2,7 +2,7 @@
 
 #include "zmpwalk/gait/pendulum.hpp"
 #include "zmpwalk/gait/velocity_profile.hpp"
-#include "zmpwalk/settings.hpp"
+#include "zmpwalk/settings/settings.hpp"
 #include "zmpwalk/walk/leg_reach.hpp"
 
 namespace zmpwalk {

@@ -2,7 +2,7 @@
 
 #include "zmpwalk/control/whole_body.hpp"
 #include "zmpwalk/gait/velocity_tracker.hpp"
-#include "zmpwalk/settings.hpp"
+#include "zmpwalk/settings/settings.hpp"
 #include "zmpwalk/walk/cycle.hpp"
 
 namespace zmpwalk {

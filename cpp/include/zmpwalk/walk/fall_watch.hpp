@@ -2,7 +2,7 @@
 
 #include "zmpwalk/control/dynamics.hpp"
 #include "zmpwalk/gait/gait_generator.hpp"
-#include "zmpwalk/settings.hpp"
+#include "zmpwalk/settings/settings.hpp"
 #include "zmpwalk/walk/cycle_output.hpp"
 
 namespace zmpwalk {

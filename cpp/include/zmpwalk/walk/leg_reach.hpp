@@ -3,7 +3,7 @@
 #include "zmpwalk/gait/schedule.hpp"
 #include "zmpwalk/gait/velocity_profile.hpp"
 #include "zmpwalk/robot/robot.hpp"
-#include "zmpwalk/settings.hpp"
+#include "zmpwalk/settings/settings.hpp"
 
 namespace zmpwalk {
 

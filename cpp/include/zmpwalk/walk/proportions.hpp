@@ -2,7 +2,7 @@
 
 #include "zmpwalk/gait/footsteps.hpp"
 #include "zmpwalk/robot/robot.hpp"
-#include "zmpwalk/settings.hpp"
+#include "zmpwalk/settings/settings.hpp"
 #include "zmpwalk/zmp/bounds.hpp"
 
 namespace zmpwalk {

@@ -6,7 +6,7 @@
 #include "zmpwalk/gait/velocity_tracker.hpp"
 #include "zmpwalk/math/mailbox.hpp"
 #include "zmpwalk/robot/robot.hpp"
-#include "zmpwalk/settings.hpp"
+#include "zmpwalk/settings/settings.hpp"
 #include "zmpwalk/walk/arm_swing.hpp"
 #include "zmpwalk/walk/body_motion.hpp"
 #include "zmpwalk/walk/com_height.hpp"

@@ -1,0 +1,140 @@
+#include "zmpwalk/settings/settings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "zmpwalk/gait/pendulum.hpp"
+#include "zmpwalk/math/error.hpp"
+
+namespace zmpwalk {
+namespace {
+
+// The robot on which the gains were found: COM height 0.747 m, period 0.8 s (section IV), T_c 0.276 s.
+constexpr double kReferenceHeight = 0.747;
+constexpr double kReferencePeriod = 0.8;
+
+template <class Number>
+void check(const std::string& name, Number value, const Range& range) {
+  if (!range.holds(value)) throw InputError(name + " = " + std::to_string(value) + "; it must be " + range.text);
+}
+
+/// Checks every number of a setting.
+template <class T>
+void check_all(const T& value, const Setting& row) {
+  if constexpr (std::is_same_v<T, double> || std::is_same_v<T, int>)
+    check(row.both_names(), value, row.range);
+  else if constexpr (std::is_same_v<T, std::vector<double>>)
+    for (const double x : value) check(row.both_names(), x, row.range);
+  else if constexpr (std::is_same_v<T, std::map<std::string, double>>)
+    for (const auto& [key, x] : value) check(row.path() + "." + key, x, row.range);
+}
+
+}  // namespace
+
+const std::vector<double>& paper_step_lengths() {
+  static const std::vector<double> lengths{0.1, 0.15, 0.2};
+  return lengths;
+}
+
+const std::vector<double>& printed_step_lengths() {
+  static const std::vector<double> lengths{0.1, 0.15, 0.2, 0.25};
+  return lengths;
+}
+
+WalkSettings::WalkSettings(const std::string& preset) : law(preset) {
+  if (preset == "default") return;
+  if (preset != "paper") throw InputError("law = '" + preset + "' is unknown; there are: default, paper");
+  tracking.law = TrackerLaw::kBangBang;
+  zmp.iteration = Iteration::kLoop;
+  zmp.bound_lateral = zmp.lateral_feedback = false;
+  zmp.sole_exponent = 0.0;
+  com.state = ComState::kDesired;
+  com.feed_forward = false;
+  com.crouch_limit = 0.0;
+  // (8) alone lags by one cycle of k_d, so it needs stiffer gains than a law with feed-forward.
+  com.kp_x = 400.0;
+  com.kd_x = 40.0;
+  com.kp_y = 1e4;
+  com.kd_y = 200.0;
+  steps.mode = Footsteps::kPaper;
+  steps.lengths = paper_step_lengths();
+  gait.cadence_exponent = gait.cadence_double = 0.0;
+  gait.stand = false;
+  contact.load_alone = 0.0;
+  rate.limit = false;
+}
+
+std::string Default::text() const {
+  if (std::isnan(factor_)) return of_.name;
+  std::string number = std::to_string(factor_);
+  number.erase(number.find_last_not_of('0') + 1);
+  if (number.back() == '.') number.pop_back();
+  return number + " " + of_.name;
+}
+
+Scale::Scale(const RobotScale& of, const WalkSettings& so_far, double v)
+    : robot(of),
+      settings(so_far),
+      top_speed(v),
+      Tc(LinearInvertedPendulum(of.com_height, of.gravity).Tc()),
+      speed(std::sqrt(of.gravity * of.com_height)),
+      period(std::round(100.0 * kReferencePeriod * std::sqrt(of.com_height / kReferenceHeight)) / 100.0),
+      rate(LinearInvertedPendulum(kReferenceHeight, 9.81).Tc() / Tc) {}
+
+double knee_share(const RobotScale& robot, const WalkSettings& s, double lift, double speed) {
+  if (!(robot.knee_per_lift > 0.0)) return 0.0;
+  const double T_ss = s.gait.T_ss, half = 0.5 * T_ss, T = T_ss + s.gait.T_ds, x = 0.5 * speed * (T + s.gait.T_ds);
+  const double ddl = 6.0 * lift / (half * half) + x / robot.hip_to_ankle * 12.0 * speed * T / (T_ss * T_ss);
+  const double dl = 1.5 * lift / half;
+  return robot.knee_per_lift * (robot.knee_armature * ddl + robot.knee_damping * dl) / robot.knee_torque;
+}
+
+namespace defaults {
+
+double time_step(double, const Scale& scale) { return scale.robot.timestep; }
+
+double first_double_support(double, const Scale& scale) {
+  const auto& [T_ds, T_ss] = std::tie(scale.settings.gait.T_ds, scale.settings.gait.T_ss);
+  return LinearInvertedPendulum(scale.robot.com_height, scale.robot.gravity).first_double_support(T_ds + T_ss, T_ss);
+}
+
+double cadence_exponent(double, const Scale& scale) { return scale.settings.steps.lengths.empty() ? 0.4 : 0.0; }
+
+double feet_apart(double, const Scale& scale) { return scale.robot.foot_distance; }
+
+double step_height(double, const Scale& scale) {
+  // Rotor and damping take at most this share of the knee's torque, as long as that leaves a step of the least height.
+  constexpr double kKneeShare = 0.6, kLeastHeight = 0.01;
+  const RobotScale& robot = scale.robot;
+  const double per_lift = knee_share(robot, scale.settings, 1.0, 0.0),
+               left = kKneeShare - knee_share(robot, scale.settings, 0.0, scale.top_speed);
+  const double knee_lift =
+      per_lift > 0.0 ? std::max(left / per_lift, kLeastHeight * robot.com_height) : robot.com_height;
+  return std::min(0.0535 * robot.com_height, knee_lift);
+}
+
+}  // namespace defaults
+
+WalkSettings resolve(const WalkSettings& settings, const RobotScale& robot, double top_speed) {
+  WalkSettings s = settings;
+  if (s.steps.mode == Footsteps::kPaper) s.steps.lengths = paper_step_lengths();
+  if (s.steps.mode == Footsteps::kPrinted) s.steps.lengths = printed_step_lengths();
+  if (s.steps.mode == Footsteps::kTied) s.steps.lengths.clear();
+  if (s.steps.mode == Footsteps::kList && s.steps.lengths.empty())
+    throw InputError(
+        "steps.mode (footsteps) = 'list' needs steps.lengths (step_lengths), for example [0.1, 0.15, 0.2]");
+  const Scale scale(robot, s, top_speed);
+  visit_settings(s, [&](auto& value, const Setting& row) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>)
+      if (std::isnan(value) && row.default_value.from_robot()) value = row.default_value.value(scale);
+    check_all(value, row);
+  });
+  const double ratio = s.control.dt / robot.timestep;
+  if (!(ratio > 0.5) || std::abs(ratio - std::round(ratio)) > 1e-6)
+    throw InputError("control.dt (control_dt) = " + std::to_string(s.control.dt) +
+                     " s; it must be a multiple of the model's time step, " + std::to_string(robot.timestep) + " s");
+  return s;
+}
+
+}  // namespace zmpwalk
