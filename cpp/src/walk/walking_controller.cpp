@@ -173,10 +173,10 @@ double WalkingController::crouch_for(double stride) const {
 
 void WalkingController::set_height(double crouch) {
   pendulum_ = LinearInvertedPendulum(com_height_ - crouch, robot_.dynamics().gravity.norm());
-  const double dt = settings_.control_dt, Tc = pendulum_.Tc();
+  const PendulumState per_r = pendulum_.step(settings_.control_dt, {0.0, 0.0}, 1.0);  // (16) is linear
   for (int i = 0; i < 2; ++i)
-    df_dr_[i] = (settings_.feed_forward ? -1.0 / (Tc * Tc) : 0.0) -
-                pd_acceleration(kp_[i], kd_[i], std::cosh(dt / Tc) - 1.0, std::sinh(dt / Tc) / Tc);
+    df_dr_[i] = (settings_.feed_forward ? pendulum_.acceleration(0.0, 1.0) : 0.0) +
+                pd_acceleration(kp_[i], kd_[i], per_r.x, per_r.v);
 }
 
 void WalkingController::move_height(double t, double stretch) {
