@@ -1,10 +1,10 @@
 """Whether a change moved any bit of a walk: `python benchmarks/same_walk.py REVISION [REVISION2]`.
 
-Builds the package as it was at a git revision and as it stands in the working tree (or at REVISION2), each in a folder of
-its own under build/same/, where only what changed is compiled again. Both use this Python and its MuJoCo. Each walks twelve
-reference walks in a process of its own, and every column that both record is compared bit for bit; NaN equals NaN. Prints
-a table and exits with 1 where any walk differs. ZMPWALK_TEST_ROBOTS names the folder of the test robots; without it
-their three walks are skipped.
+Builds the package as it was at a git revision and as it stands in the working tree (or at REVISION2), each in a folder
+of its own under build/same/, where only what changed is compiled again. Both use this Python and its MuJoCo. Each walks
+twelve reference walks in a process of its own, and every column that both record is compared bit for bit; NaN equals
+NaN. Prints a table and exits with 1 where any walk differs. ZMPWALK_TEST_ROBOTS names the folder of the test robots;
+without it their three walks are skipped.
 """
 
 from __future__ import annotations
@@ -24,7 +24,14 @@ ROOT = Path(__file__).resolve().parents[1]
 BUILD = ROOT / "build" / "same" / f"py{sys.version_info[0]}.{sys.version_info[1]}"
 ROBOTS = os.environ.get("ZMPWALK_TEST_ROBOTS", "")
 # vx, vy, wz [m/s, m/s, rad/s], each for a second
-COMMANDS = ((0.15, 0.0, 0.0), (0.05, 0.08, 0.3), (0.2, -0.06, -0.3), (0.0, 0.0, 0.0), (-0.1, 0.05, 0.2), (0.2, 0.0, 0.0))
+COMMANDS = (
+    (0.15, 0.0, 0.0),
+    (0.05, 0.08, 0.3),
+    (0.2, -0.06, -0.3),
+    (0.0, 0.0, 0.0),
+    (-0.1, 0.05, 0.2),
+    (0.2, 0.0, 0.0),
+)
 STOPS = ((0.0, 0.2), (1.5, 0.0), (4.0, (0.1, 0.05, 0.2)), (5.5, 0.0))  # time [s], velocity
 ARMS = {
     "l_shoulder_pitch": (0.0, -0.4, 0.3, 0.0),
@@ -98,8 +105,8 @@ class Difference(NamedTuple):
 def first_difference(before: Mapping[str, np.ndarray], after: Mapping[str, np.ndarray]) -> Difference | None:
     """The first difference between two walks in the columns that both have, over the rows that both have.
 
-    Numbers are compared bit for bit, so that -0 differs from 0; NaN equals every NaN. A column whose width differs, or one
-    walk that ends earlier, is a difference of infinite size.
+    Numbers are compared bit for bit, so that -0 differs from 0; NaN equals every NaN. Where a column has another width
+    or one walk ends earlier, the difference is infinite.
 
     Args:
         before, after: column name -> (T,) or (T, n) floats.
@@ -169,7 +176,7 @@ def source_of(revision: str | None) -> tuple[str, Path]:
 def copy_of_tree(copy: Path) -> Path:
     """The working tree's files in `copy`, where only those that changed are written anew.
 
-    A copy lies to its build folder as a revision's sources lie to theirs, so that ccache knows the files that both have.
+    A copy lies beside its build folder as a revision's sources do, so that ccache knows the files that both have.
     """
     files = {name for name in git("ls-files", "-co", "--exclude-standard").splitlines() if (ROOT / name).is_file()}
     for file in [file for file in copy.rglob("*") if file.is_file()]:
