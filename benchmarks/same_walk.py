@@ -63,9 +63,9 @@ WALKS: dict[str, Callable[[Any], dict[str, Any]]] = {
         "command": lambda t, out: COMMANDS[int(t) % len(COMMANDS)],
     },
     "stops": lambda z: {"duration": 8.0, "profile": z.VelocityProfile.piecewise(STOPS)},
-    "unitree_g1": lambda z: {"duration": 4.0, "profile": z.VelocityProfile.constant(0.15)},
-    "fourier_n1": lambda z: {"duration": 4.0, "profile": z.VelocityProfile.constant(0.15)},
-    "robotis_op3": lambda z: {"duration": 4.0, "profile": z.VelocityProfile.constant(0.05)},
+    "unitree_g1": lambda z: {"duration": 4.0, "profile": z.VelocityProfile.ramp(0.0, 0.15, 1.5)},
+    "fourier_n1": lambda z: {"duration": 4.0, "profile": z.VelocityProfile.ramp(0.0, 0.15, 1.5)},
+    "robotis_op3": lambda z: {"duration": 4.0, "profile": z.VelocityProfile.ramp(0.0, 0.05, 1.5)},
 }
 TEST_ROBOTS = ("unitree_g1", "fourier_n1", "robotis_op3")
 
@@ -82,6 +82,7 @@ def walk_all(folder: Path) -> None:
     for name, arguments in WALKS.items():
         if name in TEST_ROBOTS and not ROBOTS:
             continue
+        print(name, flush=True)
         robot = str(Path(ROBOTS) / name / "robot.json") if name in TEST_ROBOTS else "mahru"
         given = arguments(zmpwalk)
         settings = zmpwalk.WalkSettings(kernel="x86-64", **given.pop("settings", {}))  # runs on every such processor
