@@ -13,7 +13,7 @@ DEMO_OUT ?= out/demo
 SANITIZE ?= address,undefined
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: help demo test pytest ctest sanitize bench ladder instructions native peers wheel wheel-check sdist stubs format lint check-all clean
+.PHONY: help demo test pytest ctest sanitize bench ladder instructions same native peers wheel wheel-check sdist stubs format lint check-all clean
 
 help:
 	@echo 'make demo         walk the paper'\''s experiment; figures, trace and summary go to $(DEMO_OUT)'
@@ -23,6 +23,7 @@ help:
 	@echo 'make bench        how fast it is here: every figure of docs/benchmarks.md; make peers  beside TSID and placo'
 	@echo 'make ladder       walks faster and faster until it falls (docs/walk_anywhere.md)'
 	@echo 'make instructions instructions of a cycle against the record (needs valgrind);  make native  against -march=native'
+	@echo 'make same         whether the working tree walks bit for bit as BASE does (BASE=HEAD~3; without it, HEAD)'
 	@echo 'make wheel        dist/*.whl;  make wheel-check  install it into an empty environment and walk;  make sdist'
 	@echo 'make format       clang-format, ruff, gersemi, nbstripout;  make lint  the same as a check, and mypy'
 	@echo 'make stubs        python/zmpwalk/_core.pyi from the built module'
@@ -170,6 +171,10 @@ instructions: $(B)/base.stamp
 	@$(call configure_cycle,cycle)
 	@cmake --build $(B)/cycle $(call QUIETLY,cycle)
 	@$(PY) benchmarks/instructions.py $(B)/cycle/cycle "$$(cat $(B)/cycle/compiler)" $(UPDATE)
+
+BASE ?= HEAD
+same: $(B)/base.stamp
+	@$(PY) benchmarks/same_walk.py $(BASE)
 
 native: $(B)/base.stamp
 	@$(call configure_cycle,cycle)

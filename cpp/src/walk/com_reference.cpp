@@ -1,7 +1,5 @@
 #include "zmpwalk/walk/com_reference.hpp"
 
-#include <cmath>
-
 #include "zmpwalk/zmp/reference_iteration.hpp"
 
 namespace zmpwalk {
@@ -19,10 +17,10 @@ ComReference::ComReference(const WalkSettings& settings)
       kd_(settings.com.kd_x, settings.com.kd_y) {}
 
 void ComReference::set_pendulum(const LinearInvertedPendulum& pendulum) {
-  const double Tc = pendulum.Tc();
+  const PendulumState per_r = pendulum.step(dt_, {0.0, 0.0}, 1.0);  // (16) is linear
   for (int i = 0; i < 2; ++i)
-    df_dr_[i] = (feed_forward_ ? -1.0 / (Tc * Tc) : 0.0) -
-                pd_acceleration(kp_[i], kd_[i], std::cosh(dt_ / Tc) - 1.0, std::sinh(dt_ / Tc) / Tc);
+    df_dr_[i] =
+        (feed_forward_ ? pendulum.acceleration(0.0, 1.0) : 0.0) + pd_acceleration(kp_[i], kd_[i], per_r.x, per_r.v);
 }
 
 ComReference::Desired ComReference::under(const Vec2& r, const Cycle& cycle) const {
