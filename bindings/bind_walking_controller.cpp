@@ -71,10 +71,28 @@ void bind_walking_controller(py::module_& m) {
            "    profile: VelocityProfile; the paper's by default.\n\nRaises:\n    ModelError: the robot cannot be "
            "walked.\n"
            "    InputError: a setting breaks a rule, or the profile is faster than the legs reach.")
+      .def("reset", py::overload_cast<const State&>(&WalkingController::reset), "state"_a,
+           "Starts a walk from a State; moves nothing.")
       .def(
           "reset", [](WalkingController& c, const py::object& data) { c.reset(data_of(data)); }, "data"_a,
           "Reads the state and starts a walk there; moves nothing.\n\nRaises:\n    InputError: the state is not "
           "finite.")
+      .def(
+          "state",
+          [](const WalkingController& c, const py::object& data) {
+            const mjData* d = data_of(data);
+            c.robot().require_data(d);
+            State state(c.robot().nv());
+            c.robot().observe(d, state);
+            return state;
+          },
+          "data"_a,
+          "The robot's part of `data` as plain numbers: time, position and velocity. What feet feel is left "
+          "unknown.\n\n"
+          "Args:\n    data: mujoco.MjData.\n\nReturns:\n    State.\n\nRaises:\n    InputError: data of another model.")
+      .def("update", py::overload_cast<const State&>(&WalkingController::update), "state"_a,
+           py::return_value_policy::copy,
+           "Computes the torque for a State, in the output's `tau`; changes nothing outside the controller.")
       .def(
           "update",
           [](WalkingController& c, const py::object& data, bool after_step1) -> const CycleOutput& {

@@ -55,6 +55,7 @@ void bind_reference_iteration(py::module_& m);
 void bind_pendulum(py::module_& m);
 void bind_velocity_tracker(py::module_& m);
 void bind_gait_generator(py::module_& m);
+void bind_state(py::module_& m);
 void bind_walking_controller(py::module_& m);
 void bind_simulation(py::module_& m);
 void bind_kernel(py::module_& m);

@@ -16,6 +16,7 @@ PYBIND11_MODULE(_core, m) {
   bind_pendulum(m);
   bind_velocity_tracker(m);
   bind_gait_generator(m);
+  bind_state(m);
   bind_walking_controller(m);
   bind_simulation(m);
   bind_kernel(m);
