@@ -56,7 +56,7 @@ Row row_of(const T& value, const Setting& row) {
 
 /// What the setting is for, its unit, its words and its default, in one paragraph.
 std::string text_of(const Row& row) {
-  std::string text = row.meaning + (row.unit.empty() ? "" : " [" + row.unit + "]");
+  std::string text = row.meaning + (row.unit.empty() ? "" : " Unit: " + row.unit + ".");
   for (const std::string& word : row.words) text += (&word == &row.words.front() ? " One of '" : ", '") + word + "'";
   if (!row.words.empty()) text += ".";
   return text + " Default: " + (row.rule.empty() ? std::string(py::repr(row.default_value)) : row.rule) + ".";

@@ -295,11 +295,11 @@ BOOST_AUTO_TEST_CASE(swing_foot_lands_at_the_height_of_the_ground_where_it_is_kn
 }
 
 BOOST_AUTO_TEST_CASE(support_switches_once_in_each_double_support_to_the_foot_that_will_stand) {
-  for (const std::string first : {"right", "left"}) {
+  for (const Side first : kSides) {
     WalkSettings s = settings();
     s.gait.first_swing = first;
     PointWalk walk(s);
-    Side support = first == "right" ? kRight : kLeft;
+    Side support = first;
     int switches = 0, step = 0;
     while (walk.in.t < 8.0) {
       const GaitOutput& out = walk.step();

@@ -515,7 +515,7 @@ def test_rooms_stand_alone_in_python():
     tracker.advance(v_des=0.2, v_plan=0.25, dt=0.01)
     assert tracker.integral == pytest.approx(-5e-4)
     assert tracker.acceleration(v_plan=0.25, v=0.2) == pytest.approx((0.25 + 5.0 * 5e-4 - 0.2) / 0.05)
-    with pytest.raises(InputError, match="tracker = 'pid' is unknown"):
+    with pytest.raises(InputError, match="law = 'pid' is unknown"):
         zmpwalk.VelocityTracker(law="pid")
     gait = zmpwalk.GaitGenerator(com_height=0.747, foot_distance=0.22, sole_width=0.14, profile=VelocityProfile.paper())
     soles = np.array([[0, 0.11, 0], [0, -0.11, 0]])

@@ -51,7 +51,7 @@ inline constexpr Quantity kTimeConstant{"T_c", [](double f, const Scale& s) { re
 inline constexpr Quantity kPerTimeConstant{"/ T_c", [](double f, const Scale& s) { return f / s.Tc; }};
 inline constexpr Quantity kPerTimeConstantSquared{"/ T_c^2",
                                                   [](double f, const Scale& s) { return f / (s.Tc * s.Tc); }};
-inline constexpr Quantity kStepPeriod{"of the step's period, 0.8 s sqrt(z_c / 0.747 m)",
+inline constexpr Quantity kStepPeriod{"of a step's period, which is 0.8 s sqrt(z_c / 0.747 m)",
                                       [](double f, const Scale& s) { return f * s.period; }};
 /// Gains that were found on the robot of section IV and keep their meaning on one that is faster or slower.
 inline constexpr Quantity kStiffness{"(0.276 s / T_c)^2", [](double f, const Scale& s) { return f * s.rate * s.rate; }};

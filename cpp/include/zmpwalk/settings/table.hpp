@@ -175,8 +175,9 @@ struct ComSettings {
       "How far the COM rides ahead of the middle between the feet, with tied footsteps. So a foot that has just "
       "landed is not loaded on its heel, where the contact settles slowly.");
     v(g.least_knee, "least_knee", "least_knee", "rad", must_be::kNotNegative, {},
-      "Knee angle that the plan keeps, so that no leg becomes straight. It is room for what the plan does not know, "
-      "such as the hips that swing leg and pelvis move against the COM.");
+      "Smallest knee angle that the plan allows, so that no leg becomes straight. It leaves room for what the plan "
+      "does "
+      "not know: swing leg and pelvis move the hips against the COM.");
     v(g.crouch_limit, "crouch_limit", "crouch_limit", "m", must_be::kNotNegative, {0.1, of::kComHeight},
       "How far the COM may come down so that the legs reach far enough for long steps.");
     v(g.crouch_margin, "crouch_margin", "crouch_margin", "", must_be::kNotNegative, {},
@@ -249,11 +250,11 @@ struct TrackingSettings {
     v(g.time, "time", "tracker_time", "s", must_be::kPositive, {0.18, of::kTimeConstant},
       "Time constant with which the smooth law removes an error of the speed.");
     v(g.catch_up_speed, "catch_up_speed", "tracker_reach", "m/s", must_be::kNotNegative, {0.03, of::kFroudeSpeed},
-      "Largest speed that the smooth law adds or takes away to make up lost or gained way, which the feet cannot do "
-      "in one step.");
+      "Largest speed that the smooth law adds or takes away to make up lost or gained way. Feet cannot make up a long "
+      "way in one step.");
     v(g.deadband, "deadband", "tracker_deadband", "m", must_be::kPositive, {},
-      "Way lost or gained that the bang-bang law counts as none. A drive that ends leaves a little, since time is "
-      "discrete; without a deadband that would start the next drive.");
+      "How far the COM may be ahead of its plan or behind it before the bang-bang law drives it back. A drive ends a "
+      "little beyond the plan, since time is discrete; without a deadband that would start the next drive.");
   }
 };
 
@@ -411,9 +412,9 @@ struct FallSettings {
       "The robot has fallen where its COM is less high over the support foot than this share of its height at the "
       "start.");
     v(g.tilt, "tilt", "fall_tilt", "rad", must_be::kPositive, {},
-      "The robot has fallen where its trunk tilts by more.");
+      "The robot has fallen where its trunk tilts by more than this.");
     v(g.foot_tilt, "foot_tilt", "fall_foot_tilt", "rad", must_be::kPositive, {},
-      "The robot has fallen where the only foot that stands tilts by more, as it tips over its edge.");
+      "The robot has fallen where the only foot that stands tilts by more than this, as it tips over its edge.");
   }
 };
 
