@@ -26,11 +26,13 @@ except VersionError as error:
 from . import analysis, errors
 from ._build import VERSION as __version__
 from ._core import (
+    Contact,
     ContactSpace,
     CycleOutput,
     Dynamics,
     GaitGenerator,
     LinearInvertedPendulum,
+    Plane,
     Robot,
     TaskAccelerations,
     TaskSpace,
@@ -39,10 +41,12 @@ from ._core import (
     WholeBodyController,
     ZmpEstimator,
     build_info,
+    common_plane,
     distribute_wrench,
     iterate_reference,
     measured_zmp,
     solve_reference,
+    zmp_on_plane,
 )
 from .description import (
     Foot,
@@ -61,6 +65,7 @@ from .trace import Trace
 from .waypoints import Waypoints, walk_to
 
 __all__ = [
+    "Contact",
     "ContactSpace",
     "CycleOutput",
     "DimensionError",
@@ -72,6 +77,7 @@ __all__ = [
     "JointMotion",
     "LinearInvertedPendulum",
     "ModelError",
+    "Plane",
     "Proposal",
     "Recorder",
     "Robot",
@@ -91,6 +97,7 @@ __all__ = [
     "analysis",
     "available_robots",
     "build_info",
+    "common_plane",
     "describe",
     "distribute_wrench",
     "errors",
@@ -108,6 +115,7 @@ __all__ = [
     "solve_reference",
     "view",
     "walk_to",
+    "zmp_on_plane",
 ]
 
 

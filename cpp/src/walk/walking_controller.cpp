@@ -394,6 +394,7 @@ const CycleOutput& WalkingController::update(mjData* data, Terms terms) {
   stance_.lateral << -std::sin(gait.heading), std::cos(gait.heading), 0.0;
   if (settings_.momentum_arms > 0.0) swing_arms(gait);
   whole_body_.prepare(dyn, stance_, f_star_);
+  out_.zmp_plane << whole_body_.zmp_plane().normal, whole_body_.zmp_plane().offset;
   choose_reference(gait);
   whole_body_.solve(f_xy_, result_);
   out_.f_c = result_.f_c;
@@ -579,8 +580,7 @@ void WalkingController::clip_torque(const GaitOutput& gait) {
     drift_c_.segment<6>(rows) = dyn.sole[side].drift;
     rows += 6;
   }
-  estimator_.update(dyn.A, dyn.b, dyn.g, J_c_.topRows(rows), drift_c_.head(rows), gait.standing,
-                    {dyn.sole[kLeft].p_WF, dyn.sole[kRight].p_WF}, gait.support);
+  estimator_.update(dyn.A, dyn.b, dyn.g, J_c_.topRows(rows), drift_c_.head(rows), whole_body_.feet(), gait.support);
   const ZmpEstimate cut = estimator_.estimate(out_.tau);
   out_.f_c = cut.f_c;
   out_.zmp_est = cut.zmp;
