@@ -37,11 +37,11 @@ struct Contact {
 /// The plane on which the ZMP of these feet is taken. It always contains the support sole's centre.
 ///
 /// One foot: the plane has the normal of the ground under the support foot. Two feet: each sole centre c_i is projected onto the
-/// ground under its foot, q_i, and u = q_L - q_R is the line on which the robot stands. The plane contains the direction u and
-/// otherwise leans as the two grounds do on average: n = (m - u (u . m) / (u . u)) / |...| with m = (n_L + n_R) / 2. So a ZMP
-/// between the feet lies between the soles, at whatever heights they are, and n depends continuously on both grounds. Where both
-/// feet stand on one plane, n is its normal exactly, however deep either sole has sunk into it: on level ground the ZMP is taken
-/// on the horizontal plane through the support sole's centre.
+/// ground under its foot, q_i, and u = q_L - q_R is the line on which the robot stands. With the mean normal n_0 = (n_L + n_R) / 2
+/// the normal is n_0 - u (u . n_0) / (u . u), made a unit vector: the plane contains the direction u and otherwise leans as the two
+/// grounds do on average. So a ZMP between the feet lies between the soles, at whatever heights they are, and the normal depends
+/// continuously on both grounds. Where both feet stand on one plane it is that plane's normal exactly, however deep either sole
+/// has sunk: on level ground the ZMP is taken on the horizontal plane through the support sole's centre.
 ///
 /// @param feet     left and right
 /// @param support  the foot whose sole centre the plane contains
