@@ -1,3 +1,5 @@
+#include <optional>
+
 #include "common.hpp"
 #include "zmpwalk/robot/contact_forces.hpp"
 #include "zmpwalk/robot/mujoco_compat.hpp"
@@ -112,12 +114,16 @@ void bind_simulation(py::module_& m) {
         "Returns:\n    (columns, info).\n\nRaises:\n    InputError; whatever a callback raises; KeyboardInterrupt.");
   m.def(
       "measured_zmp",
-      [](const py::object& model, const py::object& data, const RobotDescription& description) {
+      [](const py::object& model, const py::object& data, const RobotDescription& description,
+         const std::optional<Plane>& plane) {
         const Robot robot(model_of(model), description);
-        return measured_zmp(measure_contact(robot, data_of(data)));
+        const MeasuredContact contact = measure_contact(robot, data_of(data));
+        return plane ? measured_zmp(contact, *plane) : measured_zmp(contact);
       },
-      "model"_a, "data"_a, "description"_a,
-      "ZMP of MuJoCo's contact forces under the feet (2,) [m], W; NaN without contact. After mj_step it belongs to the "
-      "state before it.");
+      "model"_a, "data"_a, "description"_a, "plane"_a = py::none(),
+      "World x and y of the ZMP of MuJoCo's contact forces under the feet (2,) [m]; NaN without contact.\n\n"
+      "After mj_step it belongs to the state before it.\n\nArgs:\n    plane: Plane that it is taken on. None: the "
+      "level "
+      "plane at the height of the soles, weighted by their loads.");
   m.def("mujoco_version", &mujoco_compat::compiled_version, "MuJoCo version this module was compiled against.");
 }

@@ -23,6 +23,7 @@ void bind_walking_controller(py::module_& m) {
   FIELD(zmp_lower, "designed lower bound (2,) [m]");
   FIELD(zmp_upper, "designed upper bound (2,) [m]");
   FIELD(zmp_first, "estimate of the first pass of III-B (2,) [m], NaN where the ZMP was left alone");
+  FIELD(zmp_plane, "the plane that every zmp_* lies on: unit normal, distance from the world's origin (4,) [1, m]");
   FIELD(zmp_slope, "d zmp_est / d zmp_ref (2,)");
   FIELD(zmp_modified, "-1 brought to the lower bound, +1 to the upper, 0 left alone (2,)");
   FIELD(phase, "0 double, 1 single support");

@@ -6,12 +6,6 @@ using namespace zmpwalk;
 
 namespace {
 
-Side side_of(const std::string& name) {
-  if (name == "left") return kLeft;
-  if (name == "right") return kRight;
-  throw InputError("support = '" + name + "' is unknown; there are: left, right");
-}
-
 /// Keeps the Dynamics it was last prepared with, which the core only points to.
 struct PyWholeBody : WholeBodyController {
   using WholeBodyController::WholeBodyController;
@@ -57,28 +51,39 @@ void bind_whole_body(py::module_& m) {
       .def(
           "prepare",
           [](PyWholeBody& c, const py::object& dynamics, const std::array<bool, 2>& standing,
-             const std::string& support, const TaskAccelerations& f_star) {
+             const std::string& support, const TaskAccelerations& f_star, const std::array<Plane, 2>& ground) {
             Stance stance;
             stance.standing = standing;
             stance.support = side_of(support);
             if ((standing[kLeft] || standing[kRight]) && !standing[stance.support])
               throw InputError("support = '" + support + "' does not stand");
+            stance.ground = ground;
             c.prepare(dynamics.cast<const Dynamics&>(), stance, f_star);
             c.dynamics = dynamics;
           },
           "dynamics"_a, "standing"_a, "support"_a, "f_star"_a,
+          py::arg_v("ground", std::array<Plane, 2>{}, "(Plane(), Plane())"),
           "Takes one instant.\n\nArgs:\n    dynamics: Dynamics.\n    standing: (left, right).\n    support: 'left' or "
           "'right', about which the ZMP is taken.\n"
-          "    f_star: TaskAccelerations; com's x and y are not used here.\n\nRaises:\n    InputError: no foot stands. "
+          "    f_star: TaskAccelerations; com's x and y are not used here.\n"
+          "    ground: Plane under the left and the right foot; level by default.\n\nRaises:\n    InputError: no foot "
+          "stands. "
           "DimensionError.")
       .def(
           "zmp", [](const PyWholeBody& c, const Vec2& f_xy) { return c.zmp(f_xy); }, "f_xy"_a,
-          "ZMP in W (2,) [m] for horizontal COM acceleration (2,) [m/s^2]; affine.")
+          "World x and y of the ZMP on zmp_plane (2,) [m] for horizontal COM acceleration (2,) [m/s^2]; affine on a "
+          "level "
+          "plane.")
+      .def_property_readonly(
+          "zmp_plane", [](const PyWholeBody& c) { return c.zmp_plane(); }, "Plane that the ZMP is taken on")
+      .def_property_readonly(
+          "feet", [](const PyWholeBody& c) { return c.feet(); }, "Contact of the left and the right foot, as prepared")
       .def(
           "yaw_moment", [](const PyWholeBody& c, const Vec2& f_xy) { return c.yaw_moment(f_xy); }, "f_xy"_a,
           "Vertical moment of the ground on the robot about its COM, d/dt L_z, for COM acceleration (2,) [N m].")
       .def_property_readonly(
-          "zmp_slope", [](const PyWholeBody& c) { return c.zmp_slope(); }, "d zmp / d f_xy (2, 2) [s^2]")
+          "zmp_slope", [](const PyWholeBody& c) { return c.zmp_slope(); },
+          "d zmp / d f_xy (2, 2) [s^2], on a tilted plane at f_xy = 0")
       .def(
           "solve",
           [](const PyWholeBody& c, const Vec2& f_xy) {
@@ -87,6 +92,8 @@ void bind_whole_body(py::module_& m) {
             return out;
           },
           "f_xy"_a, "Torque for horizontal COM acceleration (2,) [m/s^2].");
-  m.def("distribute_wrench", &distribute_wrench, "F"_a, "M_P"_a, "P"_a, "c"_a, "along"_a, "alone"_a = 0.0,
-        "Shares a total wrench (F, M about P) between two feet with sole centres c, exactly; (12,).");
+  m.def(
+      "distribute_wrench", &distribute_wrench, "F"_a, "M_P"_a, "P"_a, "c"_a, "along"_a, "alone"_a = 0.0,
+      "Shares a total wrench (F, M about P) between two feet with sole centres c, exactly, whatever their heights and "
+      "tilts; (12,).");
 }

@@ -15,6 +15,10 @@
 namespace py = pybind11;
 using namespace pybind11::literals;
 
+/// The foot of that name.
+/// @throws InputError  it is neither left nor right
+zmpwalk::Side side_of(const std::string& support);
+
 // MuJoCo's Python objects give their C pointer as `_address`.
 const mjModel* model_of(const py::object& model);
 mjData* data_of(const py::object& data);
@@ -50,6 +54,7 @@ void bind_dynamics(py::module_& m);
 void bind_contact_space(py::module_& m);
 void bind_task_space(py::module_& m);
 void bind_whole_body(py::module_& m);
+void bind_plane(py::module_& m);
 void bind_estimate(py::module_& m);
 void bind_reference_iteration(py::module_& m);
 void bind_pendulum(py::module_& m);

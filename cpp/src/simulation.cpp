@@ -94,7 +94,8 @@ void Recorder::add(const CycleOutput& out, const mjData* data) {
   if (!out.fresh) return;
   const Robot& robot = controller_->robot();
   contact_ = measure_contact(robot, data);
-  const double plane = contact_.sole[out.support > 0 ? kLeft : kRight].z();
+  // The cycle's plane, through the sole where the contacts found it.
+  const Plane plane = Plane::through(contact_.sole[out.support > 0 ? kLeft : kRight], out.zmp_plane.head<3>());
   next_ = 0;
   push(out.t);
   push(out.com);

@@ -28,11 +28,13 @@ except VersionError as error:
 from . import analysis, errors, simulation, trace
 from ._build import VERSION as __version__
 from ._core import (
+    Contact,
     ContactSpace,
     CycleOutput,
     Dynamics,
     GaitGenerator,
     LinearInvertedPendulum,
+    Plane,
     Robot,
     State,
     TaskAccelerations,
@@ -42,10 +44,12 @@ from ._core import (
     WholeBodyController,
     ZmpEstimator,
     build_info,
+    common_plane,
     distribute_wrench,
     iterate_reference,
     measured_zmp,
     solve_reference,
+    zmp_on_plane,
 )
 from .motion import JointMotion
 from .profiles import VelocityProfile
@@ -65,6 +69,7 @@ from .trace import Trace
 from .waypoints import Waypoints, walk_to
 
 __all__ = [
+    "Contact",
     "ContactSpace",
     "CycleOutput",
     "DimensionError",
@@ -76,6 +81,7 @@ __all__ = [
     "JointMotion",
     "LinearInvertedPendulum",
     "ModelError",
+    "Plane",
     "Proposal",
     "Recorder",
     "Robot",
@@ -96,6 +102,7 @@ __all__ = [
     "analysis",
     "available_robots",
     "build_info",
+    "common_plane",
     "describe",
     "distribute_wrench",
     "errors",
@@ -113,6 +120,7 @@ __all__ = [
     "solve_reference",
     "view",
     "walk_to",
+    "zmp_on_plane",
 ]
 
 

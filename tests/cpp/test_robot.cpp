@@ -261,7 +261,7 @@ BOOST_AUTO_TEST_CASE(measured_wrench_is_what_the_contacts_do_to_the_base) {
     BOOST_CHECK_LT(total.F.z(), -100.0);
     CHECK_NEAR(contact.sole[kLeft], at.dyn().sole[kLeft].p_WF, 1e-14);
     const Wrench about = total_wrench(contact.wrench, contact.sole, Vec3::Zero());
-    CHECK_NEAR(measured_zmp(contact, 0.0), Vec2(-about.M.y() / about.F.z(), about.M.x() / about.F.z()), 1e-14);
+    CHECK_NEAR(measured_zmp(contact, Plane{}), Vec2(-about.M.y() / about.F.z(), about.M.x() / about.F.z()), 1e-14);
   }
 }
 

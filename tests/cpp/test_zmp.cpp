@@ -39,8 +39,7 @@ struct Instant {
     robot.read(data.get());
     controller.prepare(dyn(), stance, random_tasks(robot.joints(), seed));
     const ContactRows rows = contact_rows(dyn(), stance);
-    estimator.update(dyn().A, dyn().b, dyn().g, rows.J, rows.drift, stance.standing,
-                     {dyn().sole[0].p_WF, dyn().sole[1].p_WF}, stance.support);
+    estimator.update(dyn().A, dyn().b, dyn().g, rows.J, rows.drift, controller.feet(), stance.support);
   }
   const Dynamics& dyn() const { return robot.dynamics(); }
   ZmpEstimate estimate(const Vec2& f_xy) const {
@@ -123,10 +122,10 @@ BOOST_AUTO_TEST_CASE(angular_momentum_of_the_links_makes_the_slope_steeper_than_
 
 BOOST_AUTO_TEST_CASE(estimate_without_normal_force_has_no_zmp) {
   Instant at(Standing::kLeft, 1);
-  const Vec3 up(0, 0, 1);  // a robot in free fall: no weight, no motion, no torque
+  // A robot in free fall: no weight, no motion, no torque.
   const ContactRows rows = contact_rows(at.dyn(), at.stance);
   const VecX zero = VecX::Zero(31);
-  at.estimator.update(at.dyn().A, zero, zero, rows.J, VecX::Zero(6), at.stance.standing, {up, up}, kLeft);
+  at.estimator.update(at.dyn().A, zero, zero, rows.J, VecX::Zero(6), at.controller.feet(), kLeft);
   const ZmpEstimate estimate = at.estimator.estimate(VecX::Zero(25));
   BOOST_CHECK(!estimate.in_contact);
   BOOST_CHECK(estimate.zmp.array().isNaN().all());
@@ -136,9 +135,10 @@ BOOST_AUTO_TEST_CASE(estimator_refuses_what_it_cannot_use) {
   Instant at(Standing::kBoth, 1);
   CHECK_THROWS(at.estimator.estimate(VecX::Zero(31)), DimensionError, "tau has 31 entries; it must have 25");
   const ContactRows rows = contact_rows(at.dyn(), at.stance);
-  const std::array<Vec3, 2> c{Vec3::Zero(), Vec3::Zero()};
   const auto update = [&](const std::array<bool, 2>& standing) {
-    at.estimator.update(at.dyn().A, at.dyn().b, at.dyn().g, rows.J, rows.drift, standing, c, kLeft);
+    std::array<Contact, 2> feet;
+    for (const Side side : kSides) feet[side].standing = standing[side];
+    at.estimator.update(at.dyn().A, at.dyn().b, at.dyn().g, rows.J, rows.drift, feet, kLeft);
   };
   CHECK_THROWS(update({false, false}), InputError, "no foot stands");
   CHECK_THROWS(update({true, false}), DimensionError, "J_c is (12, 31); it must be (6, 31)");

@@ -51,12 +51,29 @@ void WholeBodyController::prepare(const Dynamics& dynamics, const Stance& stance
     throw InputError("no foot stands; walking needs at least one");
   dynamics_ = &dynamics;
   stance_ = stance;
+  for (const Side side : kSides) {
+    const auto& sole = dynamics.sole[side];
+    feet_[side] = {sole.p_WF, sole.R_WF, stance.standing[side], stance.ground[side]};
+  }
+  plane_ = common_plane(feet_, stance.support);
   if (uses_textbook())
     prepare_textbook(f_star);
   else
     prepare_direct(f_star);
-  for (int k = 0; k < 2; ++k) zmp_slope_.col(k) = zmp_of_wrench(F_.col(0), M_.col(k + 1));
-  zmp_0_ = dynamics.sole[stance.support].p_WF.head<2>() + zmp_of_wrench(F_.col(0), M_.col(0));
+  expand_zmp();
+}
+
+void WholeBodyController::expand_zmp() {
+  // P(f) = s + n x M(f) / (n F(f)) for the plane through s. With p_k = n x M_k / (n F_0) and d_k = n F_k / (n F_0) that is
+  // P(f) = s + (p_0 + sum p_k f_k) / (1 + d f) = s + p_0 + sum (p_k - p_0 d_k) f_k / (1 + d f). F_z is the same for every f.
+  const Vec3 &s = feet_[stance_.support].p_WF, &n = plane_.normal, F_0 = F_.col(0);
+  const Vec3 P_0 = zmp_on_plane(F_0, M_.col(0), s, plane_);
+  zmp_0_ = P_0.head<2>();
+  for (int k = 0; k < 2; ++k) {
+    load_slope_[k] = n.head<2>().dot(F_.col(k + 1).head<2>()) / n.dot(F_0);
+    const Vec3 p_k = zmp_on_plane(F_0, M_.col(k + 1), Vec3::Zero(), {n, 0.0});
+    zmp_slope_.col(k) = (p_k - load_slope_[k] * (P_0 - s)).head<2>();
+  }
 }
 
 void WholeBodyController::prepare_direct(const TaskAccelerations& f_star) {
@@ -231,8 +248,7 @@ void WholeBodyController::solve(const Vec2& f_xy, WholeBodyResult& out) const {
   const Vec3 F = F_ * at, M = M_ * at;
   out.f_c.setConstant(kNaN);
   if (stance_.both()) {
-    Vec3 P = s;
-    P.head<2>() += zmp_of_wrench(F, M);
+    const Vec3 P = zmp_on_plane(F, M, s, plane_);
     const Vec3 M_P = M - (P - s).cross(F);
     out.f_c = distribute_wrench(F, M_P, P, {dyn.sole[kLeft].p_WF, dyn.sole[kRight].p_WF}, stance_.lateral,
                                 options_.load_alone);

@@ -42,7 +42,14 @@ MeasuredContact measure_contact(const Robot& robot, const mjData* d) {
   return out;
 }
 
-Vec2 measured_zmp(const MeasuredContact& contact, double plane) {
+Vec2 measured_zmp(const MeasuredContact& contact, const Plane& plane) {
+  const Vec3 origin = plane.offset * plane.normal;
+  const Wrench total = total_wrench(contact.wrench, contact.sole, origin);
+  if (!(std::abs(plane.normal.dot(total.F)) >= kMinNormalForce)) return Vec2::Constant(kNaN);
+  return zmp_on_plane(total.F, total.M, origin, plane).head<2>();
+}
+
+Vec2 measured_zmp(const MeasuredContact& contact) {
   double load = 0.0, height = 0.0;
   for (const Side side : kSides) {
     const double F_z = contact.wrench[6 * side + 2];
@@ -50,10 +57,7 @@ Vec2 measured_zmp(const MeasuredContact& contact, double plane) {
     load += F_z;
     height += F_z * contact.sole[side].z();
   }
-  if (!(std::abs(load) >= kMinNormalForce)) return Vec2::Constant(kNaN);
-  const Vec3 origin(0.0, 0.0, std::isnan(plane) ? height / load : plane);
-  const Wrench total = total_wrench(contact.wrench, contact.sole, origin);
-  return zmp_of_wrench(total.F, total.M);
+  return measured_zmp(contact, {Vec3::UnitZ(), height / load});
 }
 
 }  // namespace zmpwalk

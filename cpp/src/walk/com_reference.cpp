@@ -81,22 +81,27 @@ Reference ComReference::decide(const Cycle& cycle, const VelocityTracker& tracke
       out.modified[i] = wanted[i] == gait.room.lower[i] ? -1.0 : 1.0;
     }
   const Vec2 rest = Vec2::Ones() - axes;
-  const Mat2 slope = R_WS.transpose() * whole_body.zmp_slope() * R_WS * df_dr_.asDiagonal();
-  out.zmp_slope = slope.diagonal();
+  const auto per_reference = [&](const Mat2& per_f) {
+    return Mat2(R_WS.transpose() * per_f * R_WS * df_dr_.asDiagonal());
+  };
+  out.zmp_slope = per_reference(whole_body.zmp_slope()).diagonal();
   out.zmp_ref = r;
   if (!smooth && axes.x() == 0.0) out.zmp_ref.x() = zmp.x();  // tracking: no pendulum along x
   if (axes.any()) {
     // III-B on the axes that are to change; an axis that is left alone keeps its command.
     const Vec2 kept = c.f;
-    const auto estimate = [&](const Vec2& r_ref) {
-      return estimate_of(axes.cwiseProduct(under(r_ref, cycle).f) + rest.cwiseProduct(kept));
+    const auto command = [&](const Vec2& r_ref) {
+      return Vec2(axes.cwiseProduct(under(r_ref, cycle).f) + rest.cwiseProduct(kept));
     };
-    const Vec2 start = axes.cwiseProduct(wanted) + rest.cwiseProduct(r);
-    const Vec2 first = estimate(start);
-    const ReferenceResult found = !estimates_ ? ReferenceResult{start, first, 1, false}
-                                  : iteration_ == Iteration::kLoop
-                                      ? iterate_reference(estimate, wanted, r, axes, threshold_, max_iterations_)
-                                      : solve_reference(estimate, wanted, r, axes, slope, threshold_);
+    const auto estimate = [&](const Vec2& r_ref) { return estimate_of(command(r_ref)); };
+    const Vec2 start = axes.cwiseProduct(wanted) + rest.cwiseProduct(r), f_start = command(start);
+    const Vec2 first = estimate_of(f_start);
+    ReferenceResult found{start, first, 1, false};
+    if (estimates_ && iteration_ == Iteration::kLoop)
+      found = iterate_reference(estimate, wanted, r, axes, threshold_, max_iterations_);
+    else if (estimates_)
+      found = solve_reference(estimate, wanted, r, axes,
+                              per_reference(whole_body.zmp_slope(cycle.to_W(wanted), R_WS * f_start)), threshold_);
     const Desired modified = under(found.zmp_ref, cycle);
     for (int i = 0; i < 2; ++i) {
       if (axes[i] == 0.0) continue;

@@ -330,8 +330,7 @@ void WalkingController::limit_torque(const GaitOutput& gait) {
     drift_c_.segment<6>(rows) = dyn.sole[side].drift;
     rows += 6;
   }
-  estimator_.update(dyn.A, dyn.b, dyn.g, J_c_.topRows(rows), drift_c_.head(rows), gait.standing,
-                    {dyn.sole[kLeft].p_WF, dyn.sole[kRight].p_WF}, gait.support);
+  estimator_.update(dyn.A, dyn.b, dyn.g, J_c_.topRows(rows), drift_c_.head(rows), whole_body_.feet(), gait.support);
   const ZmpEstimate cut = estimator_.estimate(out_.tau);
   out_.f_c = cut.f_c;
   out_.zmp_est = cut.zmp;
@@ -353,6 +352,7 @@ void WalkingController::note(const Cycle& cycle) {
   out_.foothold << gait.foothold.p, gait.foothold.yaw;
   out_.zmp_lower = cycle.to_W(gait.room.lower);
   out_.zmp_upper = cycle.to_W(gait.room.upper);
+  out_.zmp_plane << whole_body_.zmp_plane().normal, whole_body_.zmp_plane().offset;
   for (const Side side : kSides) {
     const Eigen::Quaterniond q(dyn.sole[side].R_WF);
     out_.foot[side] << dyn.sole[side].p_WF, q.w(), q.x(), q.y(), q.z();

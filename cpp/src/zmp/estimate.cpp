@@ -7,12 +7,6 @@
 
 namespace zmpwalk {
 
-Vec2 zmp_of_wrench(const Vec3& F, const Vec3& M) {
-  const double x = -M.y() / F.z();  // Eq. (14)
-  const double y = M.x() / F.z();   // Eq. (15)
-  return {x, y};
-}
-
 Wrench total_wrench(const Vec12& f_c, const std::array<Vec3, 2>& c, const Vec3& s) {
   Wrench total;
   for (const Side side : kSides) {
@@ -27,14 +21,15 @@ Wrench total_wrench(const Vec12& f_c, const std::array<Vec3, 2>& c, const Vec3& 
 ZmpEstimator::ZmpEstimator(int nv) : single_(nv, 6), double_(nv, 12) { c_.fill(Vec3::Zero()); }
 
 void ZmpEstimator::update(const ConstMatRef& A, const ConstVecRef& b, const ConstVecRef& g, const ConstMatRef& J_c,
-                          const ConstVecRef& drift_c, const std::array<bool, 2>& standing, const std::array<Vec3, 2>& c,
-                          Side support) {
-  if (!standing[kLeft] && !standing[kRight]) throw InputError("no foot stands; a ZMP needs at least one");
-  both_ = standing[kLeft] && standing[kRight];
+                          const ConstVecRef& drift_c, const std::array<Contact, 2>& feet, Side support) {
+  const auto& [left, right] = feet;
+  if (!left.standing && !right.standing) throw InputError("no foot stands; a ZMP needs at least one");
+  both_ = left.standing && right.standing;
   (both_ ? double_ : single_).compute(A, b, g, J_c, drift_c);
-  standing_ = standing;
-  c_ = c;
+  left_ = left.standing;
+  c_ = {left.p_WF, right.p_WF};
   support_ = support;
+  plane_ = common_plane(feet, support);
 }
 
 ZmpEstimate ZmpEstimator::estimate(const ConstVecRef& tau) const {
@@ -43,11 +38,11 @@ ZmpEstimate ZmpEstimator::estimate(const ConstVecRef& tau) const {
   if (both_)
     double_.wrench(tau, out.f_c);
   else
-    single_.wrench(tau, out.f_c.segment<6>(standing_[kLeft] ? 0 : 6));
+    single_.wrench(tau, out.f_c.segment<6>(left_ ? 0 : 6));
   const Vec3& s = c_[support_];
   const Wrench total = total_wrench(out.f_c, c_, s);
-  out.in_contact = std::abs(total.F.z()) >= kMinNormalForce;
-  if (out.in_contact) out.zmp = s.head<2>() + zmp_of_wrench(total.F, total.M);
+  out.in_contact = std::abs(plane_.normal.dot(total.F)) >= kMinNormalForce;
+  if (out.in_contact) out.zmp = zmp_on_plane(total.F, total.M, s, plane_).head<2>();
   return out;
 }
 

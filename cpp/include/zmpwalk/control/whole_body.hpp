@@ -20,11 +20,12 @@ struct TaskAccelerations {
   VecX posture;               ///< (joints,) [rad/s^2]; entries of leg joints are not used
 };
 
-/// Which feet stand, and about which the ZMP is taken.
+/// Which feet stand, on what, and about which the ZMP is taken.
 struct Stance {
   std::array<bool, 2> standing{true, true};
   Side support = kLeft;
-  Vec3 lateral = Vec3::UnitY();  ///< horizontal direction in which two feet share the load
+  Vec3 lateral = Vec3::UnitY();   ///< horizontal direction in which two feet share the load
+  std::array<Plane, 2> ground{};  ///< under the left and the right foot; only how they lie to each other matters
   bool both() const { return standing[kLeft] && standing[kRight]; }
   Side swing() const { return standing[kLeft] ? kRight : kLeft; }  ///< meaningful where one foot stands
 };
@@ -59,7 +60,7 @@ struct WholeBodyResult {
 /// leg follows from its own sole's six rows; the three rows of the COM then fix that translation.
 ///
 /// Everything is affine in the horizontal COM acceleration (f*_x, f*_y) while F_z does not depend on it: `prepare` does the work
-/// once, `zmp` and `solve` then cost next to nothing.
+/// once, `zmp` and `solve` then cost next to nothing. On a tilted plane the ZMP is the one exception, see `zmp`.
 class WholeBodyController {
  public:
   /// @param nv    velocity coordinates
@@ -71,10 +72,26 @@ class WholeBodyController {
   /// @throws InputError no foot stands; DimensionError
   void prepare(const Dynamics& dynamics, const Stance& stance, const TaskAccelerations& f_star);
 
-  /// Eq. 9-15 for COM acceleration `f_xy` (2,) [m/s^2]: ZMP in W (2,) [m]. Affine in f_xy.
-  Vec2 zmp(const Vec2& f_xy) const { return zmp_0_ + zmp_slope_ * f_xy; }
-  /// d zmp / d f_xy (2, 2) [s^2].
+  /// Eq. 9-15 for COM acceleration `f_xy` (2,) [m/s^2]: world x and y of the ZMP on `zmp_plane` (2,) [m].
+  ///
+  /// Total force F and moment are affine in f_xy, and (14), (15) divide by the load n . F along the plane's normal n. On a level
+  /// plane that is F_z, which the stacked COM height fixes: the ZMP is affine in f_xy. On a tilted plane the load is
+  /// n . F_0 (1 + d . f_xy) with d = -m (n_x, n_y) / (n . F_0), and zmp = zmp_0 + D f_xy / (1 + d . f_xy), without approximation.
+  Vec2 zmp(const Vec2& f_xy) const { return zmp_0_ + zmp_slope_ * f_xy / (1.0 + load_slope_.dot(f_xy)); }
+  /// D of `zmp`: d zmp / d f_xy (2, 2) [s^2], on a level plane everywhere, on a tilted one at f_xy = 0.
   const Mat2& zmp_slope() const { return zmp_slope_; }
+  /// The slope with which III-B's closed form is exact on any plane (2, 2) [s^2]: (D - (zmp_des - zmp_0) d') / (1 + d . f_xy).
+  ///
+  /// For the f with zmp(f) = zmp_des it is zmp_des - zmp(f_xy) = slope (f - f_xy), however far f_xy is from f, because zmp(f) = zmp_des
+  /// is linear in f; row i alone holds where axis i alone is asked for. At zmp_des = zmp(f_xy) it is the derivative there; on a
+  /// level plane it is D everywhere.
+  Mat2 zmp_slope(const Vec2& zmp_des, const Vec2& f_xy) const {
+    return (zmp_slope_ - (zmp_des - zmp_0_) * load_slope_.transpose()) / (1.0 + load_slope_.dot(f_xy));
+  }
+  /// The plane that the ZMP is taken on: `common_plane` of the feet, through the support sole's centre.
+  const Plane& zmp_plane() const { return plane_; }
+  /// The feet as `prepare` found them, left and right: sole poses, which stand, and their ground.
+  const std::array<Contact, 2>& feet() const { return feet_; }
 
   /// Vertical moment of the ground on the robot about its COM, that is d/dt L_z, for COM acceleration `f_xy` [N m]. Affine in f_xy.
   double yaw_moment(const Vec2& f_xy) const;
@@ -100,6 +117,7 @@ class WholeBodyController {
   bool solve_by_leg(const MotionRows& rows);
   void solve_together(const MotionRows& rows);
   void prepare_textbook(const TaskAccelerations& f_star);
+  void expand_zmp();
   bool uses_textbook() const { return options_.textbook || !options_.posture_task || !options_.wrench_distribution; }
 
   int nv_;
@@ -110,12 +128,15 @@ class WholeBodyController {
 
   const Dynamics* dynamics_ = nullptr;
   Stance stance_;
+  std::array<Contact, 2> feet_;
+  Plane plane_;
   bool damped_ = false;
   const Kernel* kernel_;
   VecX known_;      // entries of ddq that the trunk and posture tasks fix
   Affine ddq_, w_;  // w = A ddq + h
   Mat3 F_, M_;      // total wrench about the support sole, columns as in Affine
   Vec2 zmp_0_ = Vec2::Zero();
+  Vec2 load_slope_ = Vec2::Zero();  // d of `zmp`; zero on a level plane
   Mat2 zmp_slope_ = Mat2::Zero();
   MatX3 tau_, f_c_;  // textbook path: torque and contact wrench, columns as in Affine
   RowMatX V_n_, G_;  // textbook path, two feet: internal torques and what they do to f_c

@@ -9,6 +9,9 @@ namespace zmpwalk {
 /// With shares a_L + a_R = 1 by where the ZMP is between the feet, delta = P - (a_L c_L + a_R c_R): F_i = a_i F, M_i = delta x F_i + a_i M_P. Both feet then carry
 /// their load at the same offset delta from their sole centres, and the two wrenches add up to the given one.
 ///
+/// That holds for soles of any height and tilt. The centre of pressure of foot i is where the line along F through c_i + delta meets
+/// its own sole plane, moved by n_i x M_P / (n_i . F), which is zero where M_P is along that sole's normal n_i.
+///
 /// @param F     total force [N], robot on ground (F_z < 0)
 /// @param M_P   total moment about P [N m]
 /// @param P     ZMP of the total wrench in W [m]

@@ -3,6 +3,7 @@
 #include "zmpwalk/math/types.hpp"
 #include "zmpwalk/robot/mujoco_types.hpp"
 #include "zmpwalk/robot/robot.hpp"
+#include "zmpwalk/zmp/plane.hpp"
 
 namespace zmpwalk {
 
@@ -17,9 +18,9 @@ struct MeasuredContact {
 /// Sums the contact forces between each foot and everything that is not the robot. Allocates nothing.
 MeasuredContact measure_contact(const Robot& robot, const mjData* d);
 
-/// ZMP of those forces in W (2,) [m], NaN without contact.
-///
-/// Taken on the horizontal plane at `plane` [m]; NaN: the load-weighted height of the soles, which with one foot is its own.
-Vec2 measured_zmp(const MeasuredContact& contact, double plane = kNaN);
+/// World x and y of the ZMP of those forces on `plane` (2,) [m], NaN without contact. Allocates nothing.
+Vec2 measured_zmp(const MeasuredContact& contact, const Plane& plane);
+/// The same on the level plane at the load-weighted height of the soles, which with one foot is its own.
+Vec2 measured_zmp(const MeasuredContact& contact);
 
 }  // namespace zmpwalk

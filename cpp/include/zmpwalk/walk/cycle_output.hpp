@@ -27,6 +27,7 @@ struct CycleOutput {
   Vec2 zmp_lower = Vec2::Zero(), zmp_upper = Vec2::Zero();  ///< designed bounds
   Vec2 zmp_first =
       Vec2::Constant(kNaN);          ///< estimate of the first pass (r_ref = r_des); NaN where the ZMP was left alone
+  Vec4 zmp_plane{0, 0, 1, 0};        ///< the plane that every zmp_* lies on: normal, and its distance from the origin
   Vec2 zmp_slope = Vec2::Zero();     ///< d zmp_est / d zmp_ref, each axis
   Vec2 zmp_modified = Vec2::Zero();  ///< -1 brought to the lower bound, +1 to the upper, 0 left alone
   int phase = 0;                     ///< 0 double, 1 single support

@@ -2,16 +2,12 @@
 
 #include "zmpwalk/control/contact_space.hpp"
 #include "zmpwalk/math/types.hpp"
+#include "zmpwalk/zmp/contact.hpp"
 
 namespace zmpwalk {
 
 /// Below this normal force there is no contact and no ZMP [N].
 inline constexpr double kMinNormalForce = 1.0;
-
-/// Eq. 14, 15: ZMP in the frame that force and moment are given in; x = -M_y / F_z, y = M_x / F_z, (2,) [m].
-///
-/// The ratios do not depend on whether the wrench is the robot's on the ground or the ground's on the robot.
-Vec2 zmp_of_wrench(const Vec3& F, const Vec3& M);
 
 /// Force and moment about one point.
 struct Wrench {
@@ -23,10 +19,10 @@ struct Wrench {
 Wrench total_wrench(const Vec12& f_c, const std::array<Vec3, 2>& c, const Vec3& s);
 
 struct ZmpEstimate {
-  Vec2 zmp = Vec2::Constant(kNaN);  ///< in W, on the horizontal plane through the support sole's centre [m]
+  Vec2 zmp = Vec2::Constant(kNaN);  ///< world x and y, on the common plane of the standing feet [m]
   Vec12 f_c = Vec12::Constant(
       kNaN);  ///< robot on ground, left then right, at the sole centres; NaN where a foot is not in contact
-  bool in_contact = false;  ///< |F_z| >= kMinNormalForce
+  bool in_contact = false;  ///< the force along the plane's normal is at least kMinNormalForce
 };
 
 /// Eq. 9-15: the ZMP that a torque will produce, before it is sent. One or two standing feet.
@@ -39,25 +35,26 @@ class ZmpEstimator {
   ///
   /// @param A (nv, nv), b, g (nv,)  inertia, velocity and gravity terms
   /// @param J_c (6 k, nv), drift_c (6 k,)  of the k standing feet, left before right, at their sole centres
-  /// @param standing  which feet stand
-  /// @param c         sole centres in W, left and right [m]
-  /// @param support   the foot whose sole plane carries the ZMP
+  /// @param feet      left and right: sole centres, which of them stand, and on what ground
+  /// @param support   the foot whose sole centre the plane of the ZMP contains
   /// @throws DimensionError, InputError (no foot stands). Allocates nothing.
   void update(const ConstMatRef& A, const ConstVecRef& b, const ConstVecRef& g, const ConstMatRef& J_c,
-              const ConstVecRef& drift_c, const std::array<bool, 2>& standing, const std::array<Vec3, 2>& c,
-              Side support);
+              const ConstVecRef& drift_c, const std::array<Contact, 2>& feet, Side support);
 
   /// @param tau joint torque (joints,) [N m]. @throws DimensionError. Allocates nothing.
   ZmpEstimate estimate(const ConstVecRef& tau) const;
 
   const ContactSpace& contact_space() const { return both_ ? double_ : single_; }
+  /// The plane that the ZMP is taken on: `common_plane` of the feet.
+  const Plane& zmp_plane() const { return plane_; }
 
  private:
   ContactSpace single_, double_;
   bool both_ = false;
-  std::array<bool, 2> standing_{};
+  bool left_ = true;  // the left foot stands
   std::array<Vec3, 2> c_;
   Side support_ = kLeft;
+  Plane plane_;
 };
 
 }  // namespace zmpwalk
