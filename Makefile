@@ -13,7 +13,7 @@ DEMO_OUT ?= out/demo
 SANITIZE ?= address,undefined
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: help demo test pytest ctest sanitize bench ladder instructions same native peers wheel wheel-check sdist stubs format lint check-all clean
+.PHONY: help demo test pytest ctest sanitize bench ladder instructions same native peers wheel wheel-check sdist stubs columns format lint check-all clean
 
 help:
 	@echo 'make demo         walk the paper'\''s experiment; figures, trace and summary go to $(DEMO_OUT)'
@@ -26,7 +26,8 @@ help:
 	@echo 'make same         whether the working tree walks bit for bit as BASE does (BASE=HEAD~3; without it, HEAD)'
 	@echo 'make wheel        dist/*.whl;  make wheel-check  install it into an empty environment and walk;  make sdist'
 	@echo 'make format       clang-format, ruff, gersemi, nbstripout;  make lint  the same as a check, and mypy'
-	@echo 'make stubs        python/zmpwalk/_core.pyi from the built module'
+	@echo 'make stubs        python/zmpwalk/_core.pyi from the built module, and `make columns`'
+	@echo 'make columns      docs/columns.md and python/zmpwalk/_columns.py from the table of recorded columns'
 	@echo 'make check-all    test on every Python there is (3.8 to 3.13), sanitize, lint, wheel-check'
 	@echo 'make clean        remove build/ and dist/'
 	@echo
@@ -218,7 +219,10 @@ lint: $(B)/dev.stamp $(B)/installed.stamp
 	$(if $(NOTEBOOKS),nbstripout --verify $(NOTEBOOKS))
 	mypy
 
-stubs: $(B)/dev.stamp $(B)/installed.stamp
+columns: $(B)/installed.stamp
+	$(PY) docs/make_columns.py
+
+stubs: $(B)/dev.stamp $(B)/installed.stamp columns
 	cd $(B) && $(VENV)/bin/pybind11-stubgen zmpwalk._core -o stubs >/dev/null
 	$(PY) bindings/stubs.py $(B)/stubs/zmpwalk/_core.pyi
 	cp $(B)/stubs/zmpwalk/_core.pyi python/zmpwalk/_core.pyi

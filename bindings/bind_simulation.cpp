@@ -1,4 +1,6 @@
+#include <iterator>
 #include <optional>
+#include <sstream>
 
 #include "common.hpp"
 #include "zmpwalk/robot/contact_forces.hpp"
@@ -90,6 +92,34 @@ py::tuple run(WalkingController& controller, double duration, const py::object& 
 }  // namespace
 
 void bind_simulation(py::module_& m) {
+  py::class_<RecordedColumn>(m, "RecordedColumn", "What a recorded column is: one row of `recorded_columns`.")
+      .def_readonly("name", &RecordedColumn::name, "Name of the column in a Trace, and of the property of CycleOutput.")
+      .def_property_readonly(
+          "width",
+          [](const RecordedColumn& c) { return c.parts.and_nv ? std::nullopt : std::optional<int>(c.parts.count); },
+          "How many numbers a row holds; None where the robot says how many.")
+      .def_property_readonly(
+          "size",
+          [](const RecordedColumn& c) { return c.parts.and_nv ? c.parts.names : std::to_string(c.parts.count); },
+          "The same in words: \"3\", \"joints\", \"nv + 1\".")
+      .def_property_readonly(
+          "parts",
+          [](const RecordedColumn& c) {
+            std::istringstream words(c.parts.and_nv ? "" : c.parts.names);
+            return std::vector<std::string>(std::istream_iterator<std::string>(words), {});
+          },
+          "Names of the numbers in a row; empty where there is one, or where the robot says how many.")
+      .def_readonly("unit", &RecordedColumn::unit, "SI unit of the numbers; empty where they have none.")
+      .def_readonly(
+          "frame", &RecordedColumn::frame,
+          "Frame in which the numbers are given: W, the world; H, turned into the heading of the walk; S, the "
+          "axes of the\nsupport sole. It is empty where they have none.")
+      .def_readonly("meaning", &RecordedColumn::meaning, "What the numbers mean, in a sentence.")
+      .def_readonly("decided", &RecordedColumn::decided,
+                    "Whether the cycle decides it, so that it is a property of CycleOutput too; else it is known only "
+                    "after the step.")
+      .def("__repr__", [](const RecordedColumn& c) { return "RecordedColumn(" + c.name + ": " + c.meaning + ")"; });
+  m.def("recorded_columns", &recorded_columns, "The table of everything that is recorded, in the order of the record.");
   py::class_<Recorder>(m, "Recorder",
                        "Cycle records as columns; row k is the state before step k and what was decided there.")
       .def(py::init([](const WalkingController& c) { return std::make_unique<Recorder>(c); }), "controller"_a,

@@ -4,49 +4,24 @@
 using namespace zmpwalk;
 
 void bind_walking_controller(py::module_& m) {
-  py::class_<CycleOutput> out(m, "CycleOutput",
-                              "Everything one control cycle decided. SI units, world frame, unless said.");
-#define FIELD(name, doc) out.def_readonly(#name, &CycleOutput::name, doc)
-  FIELD(t, "simulation time of the state [s]");
-  FIELD(com, "COM (3,) [m]");
-  FIELD(dcom, "COM velocity (3,) [m/s]");
-  FIELD(com_des, "desired COM of the next cycle (3,) [m]");
-  FIELD(dcom_des, "desired COM velocity of the next cycle (3,) [m/s]");
-  FIELD(heading, "of the walk, in the world [rad]");
-  FIELD(command, "live command in force (v_x, v_y, w_z), NaN while the profile leads");
-  FIELD(v_plan, "planned velocity (v_x, v_y, w_z), heading frame");
-  FIELD(v_des, "desired velocity (v_x, v_y, w_z), heading frame");
-  FIELD(v_error_integral, "integral of v_des - v_plan (3,) [m, m, rad]");
-  FIELD(zmp_des, "desired ZMP (2,) [m]");
-  FIELD(zmp_ref, "reference ZMP of the pendulum (2,) [m]");
-  FIELD(zmp_est, "estimated ZMP (2,) [m]");
-  FIELD(zmp_lower, "designed lower bound (2,) [m]");
-  FIELD(zmp_upper, "designed upper bound (2,) [m]");
-  FIELD(zmp_first, "estimate of the first pass of III-B (2,) [m], NaN where the ZMP was left alone");
-  FIELD(zmp_plane, "the plane that every zmp_* lies on: unit normal, distance from the world's origin (4,) [1, m]");
-  FIELD(zmp_slope, "d zmp_est / d zmp_ref (2,)");
-  FIELD(zmp_modified, "-1 brought to the lower bound, +1 to the upper, 0 left alone (2,)");
-  FIELD(phase, "0 double, 1 single support");
-  FIELD(support, "+1 left, -1 right: the foot that carries the ZMP");
-  FIELD(step, "number of the step");
-  FIELD(at_rest, "stands, and is not asked to walk");
-  FIELD(phase_time, "since the phase began [s]");
-  FIELD(w_T, "eq. 18: lateral velocity in the middle of the next single support if the ZMP switched now [m/s]");
-  FIELD(iterations, "passes of III-B, 0 where the ZMP was left alone");
-  FIELD(foothold, "target of the swing foot (x, y, yaw)");
-  FIELD(tau, "joint torques, in the order of the joints (nu,) [N m]");
-  FIELD(f_c, "expected contact wrenches, robot on ground, left then right (12,)");
-  FIELD(torque_ratio, "largest |tau| / limit");
-  FIELD(saturated, "a torque was cut to its limit");
-  FIELD(damped, "a straight leg damped the motion");
-  FIELD(fresh, "computed in this call, not held from an earlier one");
-#undef FIELD
+  py::class_<CycleOutput> out(
+      m, "CycleOutput",
+      "Everything one control cycle decided.\n\n"
+      "Each number is a column of a Trace too: `Trace.columns()` is the table of them. Frames are W, the world; "
+      "H, turned into the\nheading of the walk; S, the axes of the support sole.");
+  const std::vector<RecordedColumn> columns = recorded_columns();
+  auto column = columns.begin();
+  visit_columns([&](const char* name, const auto& get, const auto&...) {
+    const std::string text = (column++)->text();
+    if constexpr (is_decided<std::decay_t<decltype(get)>>)
+      out.def_property_readonly(
+          name, [get](const CycleOutput& o) -> decltype(auto) { return std::invoke(get, o); }, text.c_str());
+  });
+  out.def_readonly("fresh", &CycleOutput::fresh,
+                   "Whether this call computed the torque and did not hold an earlier one.");
   out.def_property_readonly(
-      "foot_left", [](const CycleOutput& o) { return o.foot[kLeft]; }, "left sole pose: position, quaternion (7,)");
-  out.def_property_readonly(
-      "foot_right", [](const CycleOutput& o) { return o.foot[kRight]; }, "right sole pose: position, quaternion (7,)");
-  out.def_property_readonly("fell", [](const CycleOutput& o) { return o.fell != Fall::kNone; }, "the robot fell");
-  out.def_property_readonly("fall_cause", [](const CycleOutput& o) { return to_string(o.fell); }, "why, or ''");
+      "fall_cause", [](const CycleOutput& o) { return to_string(o.fell); },
+      "Why the robot fell; it is empty where the robot did not.");
   out.def("__copy__", [](const CycleOutput& o) { return CycleOutput(o); });
   out.def("__repr__", [](const CycleOutput& o) {
     const Eigen::IOFormat row(4, Eigen::DontAlignCols, ", ", ", ", "", "", "[", "]");

@@ -3,6 +3,7 @@
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
+#include <cassert>
 #include <chrono>
 #include <cmath>
 
@@ -30,65 +31,24 @@ bool diverged(const mjData* d) {
   return d->warning[mjWARN_BADQPOS].number + d->warning[mjWARN_BADQVEL].number + d->warning[mjWARN_BADQACC].number > 0;
 }
 
+void append(double value, Column& to) { to.values.push_back(value); }
+template <class Derived>
+void append(const Eigen::MatrixBase<Derived>& values, Column& to) {
+  assert(values.size() == to.width);
+  for (const double value : values.derived()) to.values.push_back(value);
+}
+
 }  // namespace
 
 Recorder::Recorder(const WalkingController& controller, double duration) : controller_(&controller) {
   const auto rows =
       static_cast<std::size_t>(std::clamp(duration, 0.0, kReservedTime) / controller.settings().control.dt) + 2;
-  const int nv = controller.robot().nv(), joints = nv - 6;
-  const std::vector<std::pair<const char*, int>> layout{{"t", 1},
-                                                        {"com", 3},
-                                                        {"dcom", 3},
-                                                        {"com_des", 3},
-                                                        {"dcom_des", 3},
-                                                        {"heading", 1},
-                                                        {"command", 3},
-                                                        {"v_plan", 3},
-                                                        {"v_des", 3},
-                                                        {"v_error_integral", 3},
-                                                        {"zmp_des", 2},
-                                                        {"zmp_ref", 2},
-                                                        {"zmp_est", 2},
-                                                        {"zmp_meas", 2},
-                                                        {"zmp_lower", 2},
-                                                        {"zmp_upper", 2},
-                                                        {"zmp_first", 2},
-                                                        {"zmp_slope", 2},
-                                                        {"zmp_modified", 2},
-                                                        {"phase", 1},
-                                                        {"support", 1},
-                                                        {"step", 1},
-                                                        {"at_rest", 1},
-                                                        {"phase_time", 1},
-                                                        {"w_T", 1},
-                                                        {"iterations", 1},
-                                                        {"foothold", 3},
-                                                        {"foot_left", 7},
-                                                        {"foot_right", 7},
-                                                        {"tau", joints},
-                                                        {"f_c", 12},
-                                                        {"contact_wrench", 12},
-                                                        {"torque_ratio", 1},
-                                                        {"saturated", 1},
-                                                        {"damped", 1},
-                                                        {"self_contacts", 1},
-                                                        {"joint_margin", 1},
-                                                        {"fell", 1},
-                                                        {"qpos", nv + 1},
-                                                        {"qvel", nv}};
-  for (const auto& [name, width] : layout) {
-    columns_.push_back({name, width, {}});
+  for (const RecordedColumn& column : recorded_columns()) {
+    const int width = column.parts.width(controller.robot().nv());
+    columns_.push_back({column.name, width, {}});
     columns_.back().values.reserve(rows * static_cast<std::size_t>(width));
   }
 }
-
-template <class Derived>
-void Recorder::push(const Eigen::DenseBase<Derived>& values) {
-  Column& column = columns_[next_++];
-  for (Eigen::Index i = 0; i < values.size(); ++i) column.values.push_back(values(i));
-}
-
-void Recorder::push(double value) { columns_[next_++].values.push_back(value); }
 
 void Recorder::add(const CycleOutput& out, const mjData* data) {
   if (!out.fresh) return;
@@ -96,47 +56,15 @@ void Recorder::add(const CycleOutput& out, const mjData* data) {
   contact_ = measure_contact(robot, data);
   // The cycle's plane, through the sole where the contacts found it.
   const Plane plane = Plane::through(contact_.sole[out.support > 0 ? kLeft : kRight], out.zmp_plane.head<3>());
-  next_ = 0;
-  push(out.t);
-  push(out.com);
-  push(out.dcom);
-  push(out.com_des);
-  push(out.dcom_des);
-  push(out.heading);
-  push(out.command);
-  push(out.v_plan);
-  push(out.v_des);
-  push(out.v_error_integral);
-  push(out.zmp_des);
-  push(out.zmp_ref);
-  push(out.zmp_est);
-  push(measured_zmp(contact_, plane));
-  push(out.zmp_lower);
-  push(out.zmp_upper);
-  push(out.zmp_first);
-  push(out.zmp_slope);
-  push(out.zmp_modified);
-  push(out.phase);
-  push(out.support);
-  push(out.step);
-  push(out.at_rest);
-  push(out.phase_time);
-  push(out.w_T);
-  push(out.iterations);
-  push(out.foothold);
-  push(out.foot[kLeft]);
-  push(out.foot[kRight]);
-  push(out.tau);
-  push(out.f_c);
-  push(contact_.wrench);
-  push(out.torque_ratio);
-  push(out.saturated);
-  push(out.damped);
-  push(contact_.self_contacts);
-  push(robot.joint_margin(data));
-  push(out.fell != Fall::kNone);
-  push(robot.qpos());
-  push(robot.qvel());
+  const RecordedCycle cycle{out,
+                            measured_zmp(contact_, plane),
+                            contact_.wrench,
+                            contact_.self_contacts,
+                            robot.joint_margin(data),
+                            robot.qpos(),
+                            robot.qvel()};
+  auto column = columns_.begin();
+  visit_columns([&](const char*, const auto& get, const auto&...) { append(column_value(get, cycle), *column++); });
   ++rows_;
 }
 

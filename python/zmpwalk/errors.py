@@ -3,7 +3,12 @@
 A physical event, such as a fall or a clamped ZMP, is never an error: it is a flag in the output.
 """
 
-__all__ = ["DimensionError", "Error", "InputError", "ModelError", "VersionError"]
+from __future__ import annotations
+
+import difflib
+from typing import Iterable
+
+__all__ = ["DimensionError", "Error", "InputError", "ModelError", "VersionError", "nearest"]
 
 
 class Error(Exception):
@@ -43,3 +48,12 @@ class ModelError(Error, ValueError):
 
 class VersionError(Error, ImportError):
     """The installed MuJoCo or NumPy is not one that this copy of zmpwalk can run with; raised by the import."""
+
+
+def nearest(name: str, known: Iterable[str]) -> list[str]:
+    """Up to three of `known` that look like `name`, or all of them: what a message offers in place of a wrong name.
+
+    Usage: `nearest("comm", ["com", "dcom", "tau"])  # -> ["com", "dcom"]`
+    """
+    names = list(known)
+    return difflib.get_close_matches(name, names, 3, 0.5) or sorted(names)

@@ -7,6 +7,7 @@ import io
 import json
 import math
 import os
+import typing
 import zipfile
 from pathlib import Path
 from typing import Any, Callable, Iterator, Mapping
@@ -14,9 +15,10 @@ from typing import Any, Callable, Iterator, Mapping
 import mujoco
 import numpy as np
 
-from ._core import RobotDescription, WalkSettings
+from ._columns import RecordedColumns
+from ._core import RecordedColumn, RobotDescription, WalkSettings, recorded_columns
 from .analysis import bound_excess
-from .errors import DimensionError, Error, InputError, ModelError
+from .errors import DimensionError, Error, InputError, ModelError, nearest
 from .files import cause, whole
 from .motion import JointMotion
 from .profiles import VelocityProfile
@@ -28,31 +30,20 @@ __all__ = ["ABOVE", "FORMAT_VERSION", "Trace"]
 # names of the methods that call them, so that this room imports none of them.
 ABOVE: dict[str, Callable[..., Any]] = {}
 
+# The version grows when an older zmpwalk would read a file wrongly: because the file is laid out in another way, or a
+# name means something else. A new column alone is no new version: a file may lack columns.
 FORMAT_VERSION = 1
 
-AXES = {2: "xy", 3: "xyz", 7: ("x", "y", "z", "qw", "qx", "qy", "qz")}
-PLANAR = ("v_plan", "v_des", "v_error_integral", "foothold")  # (x, y, yaw)
-WRENCHES = ("f_c", "contact_wrench")
+COLUMNS = {column.name: column for column in recorded_columns()}
+AXES = {2: ["x", "y"], 3: ["x", "y", "z"]}  # of columns that are not in the table
 
 
-class Trace(Mapping):
+class Trace(RecordedColumns, Mapping):
     """The record of a walk: a mapping of column names to arrays, each also an attribute.
 
-    Row k is the state before step k and what was decided there. SI, world frame (z up), quaternions (w, x, y, z);
-    velocities and their integral are in the heading frame. Columns are read-only float arrays (T,) or (T, n):
-
-    - `t` [s]; `com`, `dcom`, `com_des`, `dcom_des` (3) [m, m/s]; `qpos` (nv + 1), `qvel` (nv): the robot's own part
-    - `v_plan`, `v_des`, `v_error_integral` (3: x, y, yaw) [m/s, rad/s; m, rad]
-    - `zmp_des`, `zmp_ref`, `zmp_est`, `zmp_meas`, `zmp_lower`, `zmp_upper` (2) [m]; NaN where there is no contact
-    - `zmp_first`, `zmp_slope` (2): estimate of the iteration's first pass [m] and d zmp_est / d zmp_ref;
-      `zmp_modified` (2): 0 kept, -1 at the lower bound, +1 at the upper; `iterations`
-    - `phase` (0 double support, 1 single), `support` (+1 left, -1 right), `step`, `phase_time` [s], `w_T` [m/s] (18)
-    - `foot_left`, `foot_right` (7: position, quaternion of the sole's frame); `foothold` (x, y, yaw), NaN in double
-      support
-    - `tau` (nu, in the order of `meta["joint_names"]`) [N m], `torque_ratio`: largest |tau| / limit; `joint_margin`: to
-      the nearest joint limit [rad]; `self_contacts`: how many; `saturated`, `damped`, `fell` (0/1)
-    - `f_c`, `contact_wrench` (12: left force, left moment, right force, right moment at the sole centres, world axes,
-      both the robot on the ground, so f_z < 0) [N, N m], NaN where a foot is not in contact
+    Row k is the state before step k and what was decided there. SI, world frame (z up) unless said, quaternions
+    (w, x, y, z). Columns are read-only float arrays (T,) or (T, n); what is true or false is 1 or 0.
+    `print(trace.describe())` tells what each column means, `Trace.columns()` holds the same as values.
 
     `meta` tells what was run: settings, description, profile, versions, model hash, seed, limits, fall, timing.
 
@@ -63,7 +54,7 @@ class Trace(Mapping):
         copy: False keeps float arrays as they are given, for a caller who gives them away.
 
     Raises:
-        InputError: no column `t`.  DimensionError: columns of different length.
+        InputError: no column `t`.  DimensionError: columns of different length, or a known one of another width.
 
     Usage: `trace = zmpwalk.simulate("mahru"); trace.com[:, 0]; trace["zmp_est"]; trace.summary()`
     """
@@ -82,6 +73,9 @@ class Trace(Mapping):
             array = np.array(values, dtype=float) if copy else np.asarray(values, dtype=float)
             if array.ndim not in (1, 2) or len(array) != len(columns["t"]):
                 raise DimensionError(f"column '{name}' has shape {array.shape}; 't' has {len(columns['t'])} rows")
+            known = COLUMNS.get(name)
+            if known and known.width and array.shape[1:] != (known.width,) * (known.width > 1):
+                raise DimensionError(f"column '{name}' has shape {array.shape}; a row of it holds {_numbers(known)}")
             array.flags.writeable = False
             self._columns[name] = array
         self.meta: dict[str, Any] = {"format_version": FORMAT_VERSION, **plain(meta or {})}
@@ -98,11 +92,20 @@ class Trace(Mapping):
     def __len__(self) -> int:
         return len(self._columns)
 
-    def __getattr__(self, name: str) -> np.ndarray:
-        columns = self.__dict__.get("_columns", {})
-        if name in columns:
-            return columns[name]
-        raise AttributeError(f"a trace has no '{name}'; columns are {', '.join(columns)}")
+    if not typing.TYPE_CHECKING:  # type checkers know the columns by RecordedColumns, and refuse any other name
+
+        def __getattr__(self, name: str) -> np.ndarray:
+            columns = self.__dict__.get("_columns", {})
+            if name in columns:
+                return columns[name]
+            if hasattr(type(self), name):  # a property has failed: asked once more, it says why
+                return object.__getattribute__(self, name)
+            if name in COLUMNS:
+                raise AttributeError(f"this trace does not hold the column '{name}': it was recorded without it")
+            if name.startswith("_"):
+                raise AttributeError(f"a trace has no '{name}'")
+            near = nearest(name, [*columns, *(other for other in dir(type(self)) if not other.startswith("_"))])
+            raise AttributeError(f"a trace has no '{name}'; the nearest names are {', '.join(near)}")
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self._columns]
@@ -110,6 +113,29 @@ class Trace(Mapping):
     def __repr__(self) -> str:
         end = f"fell at {self.meta['fall_time']:.2f} s" if self.meta.get("fall_time") is not None else "stood"
         return f"Trace({self.meta.get('robot', 'robot')}, {self.duration:g} s, {len(self.t)} cycles, {end})"
+
+    @staticmethod
+    def columns() -> dict[str, RecordedColumn]:
+        """Every column that zmpwalk records, in the order of the record.
+
+        Returns:
+            name -> its `parts`, `width` or `size`, `unit`, `frame` and `meaning`.
+
+        Usage: `Trace.columns()["zmp_est"].meaning`
+        """
+        return dict(COLUMNS)
+
+    def describe(self) -> str:
+        """What each column of this trace holds and means, as text of two lines a column.
+
+        Usage: `print(trace.describe())`
+        """
+        lines = []
+        for name, array in self.items():
+            known = COLUMNS.get(name)
+            lines.append(f"{name} {array.shape}" + (f": {_numbers(known)}" if known else ""))
+            lines.append(f"    {known.meaning if known else 'This column is not one that zmpwalk records.'}")
+        return "\n".join(lines)
 
     def identical(self, other: Trace) -> bool:
         """Whether two traces hold the same columns, bit for bit (NaN equals NaN).
@@ -248,7 +274,7 @@ class Trace(Mapping):
         """Read what `save` wrote.
 
         Raises:
-            InputError: no such file, not a trace, damaged, or of a newer format.
+            InputError: no such file, not a trace, damaged, or of a newer format. Every older format is read.
 
         Usage: `trace = Trace.load("out/mahru-default/trace.npz")`
         """
@@ -260,8 +286,14 @@ class Trace(Mapping):
                     raise InputError(f"{path}: not a trace that zmpwalk saved")
                 meta = json.loads(file.read("meta.json").decode())
                 version = meta.get("format_version")
-                if not isinstance(version, int) or version > FORMAT_VERSION:
-                    raise InputError(f"{path}: trace format {version}; this zmpwalk reads up to {FORMAT_VERSION}")
+                if type(version) is not int or version < 1:
+                    raise InputError(f"{path}: not a trace that zmpwalk saved: its format is {version!r}")
+                if version > FORMAT_VERSION:
+                    author = meta.get("versions", {}).get("zmpwalk", "of a later version")
+                    raise InputError(
+                        f"{path}: trace format {version} is newer than this zmpwalk, which reads up to "
+                        f"{FORMAT_VERSION}; it was written by zmpwalk {author}"
+                    )
                 columns = {
                     name[:-4]: np.lib.format.read_array(io.BytesIO(file.read(name)), allow_pickle=False)
                     for name in names
@@ -323,18 +355,11 @@ class Trace(Mapping):
         return out
 
     def _parts(self, name: str, width: int) -> list[str]:
-        joints = self.meta.get("joint_names", [])
-        if name == "tau" and len(joints) == width:
+        known, joints = COLUMNS.get(name), self.meta.get("joint_names", [])
+        if known and known.size == "joints" and len(joints) == width:
             return joints
-        if name in WRENCHES and width == 12:
-            return [f"{side}_{part}" for side in ("left", "right") for part in ("fx", "fy", "fz", "mx", "my", "mz")]
-        if name in PLANAR and width == 3:
-            return ["x", "y", "yaw"]
-        return (
-            list(AXES.get(width, ()))
-            if name not in ("qpos", "qvel", "tau") and width in AXES
-            else [str(i) for i in range(width)]
-        )
+        parts = known.parts if known else AXES.get(width, [])
+        return parts or [str(i) for i in range(width)]
 
     # --- what came of it
 
@@ -448,6 +473,12 @@ class Trace(Mapping):
         Usage: `trace.plot("sagittal", start=2, end=6)`
         """
         return ABOVE["plot"](self, figure, **options)
+
+
+def _numbers(column: RecordedColumn) -> str:
+    """What a row of a column holds: names of the numbers, or how many there are, unit and frame."""
+    numbers = ", ".join(column.parts) or {"1": "one number"}.get(column.size, f"{column.size} numbers")
+    return numbers + (f" [{column.unit}]" if column.unit else "") + (f" in {column.frame}" if column.frame else "")
 
 
 def model_bytes(model: mujoco.MjModel) -> bytes:

@@ -31,6 +31,29 @@ BOOST_AUTO_TEST_CASE(same_inputs_give_the_same_bits) {
   BOOST_CHECK_EQUAL(record_gap(a, b), 0.0);
 }
 
+BOOST_AUTO_TEST_CASE(record_has_the_columns_of_the_table_in_its_order_and_each_is_full) {
+  const Walk walk(0.05);
+  const std::vector<RecordedColumn> table = recorded_columns();
+  const std::vector<Column>& record = walk.recorder.columns();
+  BOOST_REQUIRE_EQUAL(record.size(), table.size());
+  for (std::size_t c = 0; c < table.size(); ++c) {
+    BOOST_CHECK_EQUAL(record[c].name, table[c].name);
+    BOOST_CHECK_EQUAL(record[c].width, table[c].parts.width(walk.controller.robot().nv()));
+    BOOST_CHECK_EQUAL(record[c].values.size(), record[c].width * walk.recorder.rows());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(last_row_holds_what_the_last_cycle_decided) {
+  const Walk walk(0.3);
+  const CycleOutput& out = walk.controller.output();
+  const long last = walk.rows() - 1;
+  BOOST_CHECK_EQUAL(walk.column("t")(last, 0), out.t);
+  CHECK_NEAR(walk.column("com").row(last).transpose(), out.com, 0.0);
+  CHECK_NEAR(walk.column("tau").row(last).transpose(), out.tau, 0.0);
+  CHECK_NEAR(walk.column("foot_right").row(last).transpose(), out.foot[kRight], 0.0);
+  CHECK_NEAR(walk.column("qpos").row(last).transpose(), walk.controller.robot().qpos(), 0.0);
+}
+
 BOOST_AUTO_TEST_CASE(a_controller_that_is_reset_walks_as_a_new_one) {
   Walk walk(1.5);
   const Walk once(1.0);

@@ -3,12 +3,14 @@
 import json
 import pickle
 import sys
+import zipfile
 
 import mujoco
 import numpy as np
 import pytest
 import zmpwalk
 from zmpwalk import DimensionError, InputError, ModelError, Trace
+from zmpwalk.trace import FORMAT_VERSION
 
 # --- a mapping with attributes
 
@@ -22,11 +24,31 @@ def test_columns_are_items_and_attributes_and_read_only(made_up_trace, made_up_c
         made_up_trace.com[0, 0] = 1.0
 
 
-def test_unknown_column_names_those_that_exist(made_up_trace):
-    with pytest.raises(AttributeError, match=r"no 'zmp'; columns are .*zmp_est"):
+def test_unknown_name_is_answered_with_the_nearest(made_up_trace):
+    with pytest.raises(AttributeError, match=r"a trace has no 'cmo'; the nearest names are com\b"):
+        _ = made_up_trace.cmo
+    with pytest.raises(AttributeError, match=r"no 'zmp'; the nearest names are .*zmp_est"):
         _ = made_up_trace.zmp
+    with pytest.raises(AttributeError, match=r"no 'sumary'; the nearest names are summary"):
+        made_up_trace.sumary()
     with pytest.raises(KeyError):
         made_up_trace["zmp"]
+
+
+def test_column_that_was_not_recorded_is_told_from_one_that_does_not_exist(made_up_trace):
+    assert "heading" not in made_up_trace
+    with pytest.raises(AttributeError, match="does not hold the column 'heading': it was recorded without it"):
+        _ = made_up_trace.heading
+
+
+def test_property_that_fails_says_why(made_up_columns, made_up):
+    class Careless(Trace):
+        @property
+        def quotient(self):
+            return self.t.no_such_method()
+
+    with pytest.raises(AttributeError, match=r"'numpy\.ndarray' object has no attribute 'no_such_method'"):
+        _ = Careless(made_up_columns, made_up.meta()).quotient
 
 
 def test_columns_of_different_length_are_refused():
@@ -34,6 +56,15 @@ def test_columns_of_different_length_are_refused():
         Trace({"t": np.zeros(4), "com": np.zeros((3, 3))})
     with pytest.raises(InputError, match="needs the column 't'"):
         Trace({"com": np.zeros((3, 3))})
+
+
+def test_columns_of_another_width_are_refused():
+    t = np.zeros(4)
+    with pytest.raises(DimensionError, match=r"'com' has shape \(4, 2\); a row of it holds x, y, z \[m\] in W"):
+        Trace({"t": t, "com": np.zeros((4, 2))})
+    with pytest.raises(DimensionError, match=r"'phase' has shape \(4, 2\); a row of it holds one number$"):
+        Trace({"t": t, "phase": np.zeros((4, 2))})
+    assert Trace({"t": t, "mine": np.zeros((4, 5)), "tau": np.zeros((4, 12))})["mine"].shape == (4, 5)
 
 
 def test_trace_does_not_follow_the_arrays_it_was_made_from():
@@ -103,9 +134,55 @@ def test_files_that_are_no_traces_are_named(made_up_trace, tmp_path):
     (tmp_path / "half.npz").write_bytes(whole[: len(whole) // 2])
     with pytest.raises(InputError, match=r"half\.npz: not a trace, or damaged"):
         Trace.load(tmp_path / "half.npz")
-    made_up_trace.meta["format_version"] = 99
-    with pytest.raises(InputError, match="trace format 99"):
-        Trace.load(made_up_trace.save(tmp_path / "new.npz"))
+
+
+# What version 1 had on its first day. Of the columns that have come since, such a file holds none.
+FIRST_COLUMNS = [
+    "t", "com", "dcom", "com_des", "dcom_des", "v_plan", "v_des", "v_error_integral", "zmp_des", "zmp_ref", "zmp_est",
+    "zmp_meas", "zmp_lower", "zmp_upper", "zmp_first", "zmp_slope", "zmp_modified", "phase", "support", "step",
+    "phase_time", "w_T", "iterations", "foothold", "foot_left", "foot_right", "tau", "f_c", "contact_wrench",
+    "torque_ratio", "saturated", "damped", "self_contacts", "joint_margin", "fell", "qpos", "qvel",
+]  # fmt: skip
+
+
+def write_trace(path, columns, **meta):
+    """A trace file written by hand, without the code that is tested."""
+    np.savez(path, **columns)
+    with zipfile.ZipFile(path, "a") as file:
+        file.writestr("meta.json", json.dumps(meta))
+    return path
+
+
+def test_file_of_the_first_day_still_reads(made_up, made_up_columns, tmp_path):
+    columns = {name: made_up_columns.get(name, np.zeros(8000)) for name in FIRST_COLUMNS}
+    path = write_trace(tmp_path / "old.npz", columns, **made_up.meta(format_version=1))
+    trace = Trace.load(path)
+    assert list(trace) == FIRST_COLUMNS
+    assert all(np.array_equal(trace[name], columns[name], equal_nan=True) for name in FIRST_COLUMNS)
+    assert trace.summary()["step_count"] == 9
+    assert trace.profile.displacement(0.0, 0.8)[0] == pytest.approx(0.8 * 0.063)
+    assert trace.settings.T_ss == 0.64
+    assert set(trace.plot()) >= {"sagittal", "lateral"}
+    assert "com_x" in trace.flat() and trace.to_csv(tmp_path / "old.csv").exists()
+    assert Trace.load(trace.save(tmp_path / "again.npz")) == trace
+
+
+def test_file_of_a_newer_version_is_refused_in_one_line(made_up, made_up_columns, tmp_path):
+    meta = made_up.meta(format_version=FORMAT_VERSION + 1, versions={"zmpwalk": "9.8"})
+    with pytest.raises(InputError) as refusal:
+        Trace.load(write_trace(tmp_path / "new.npz", made_up_columns, **meta))
+    known, newer = FORMAT_VERSION, FORMAT_VERSION + 1
+    assert str(refusal.value) == (
+        f"{tmp_path / 'new.npz'}: trace format {newer} is newer than this zmpwalk, which reads up to {known}; "
+        "it was written by zmpwalk 9.8"
+    )
+
+
+@pytest.mark.parametrize("version", [0, True, "1", None])
+def test_file_without_a_version_is_no_trace(made_up, made_up_columns, tmp_path, version):
+    path = write_trace(tmp_path / "odd.npz", made_up_columns, **made_up.meta(format_version=version))
+    with pytest.raises(InputError, match=r"odd\.npz: not a trace that zmpwalk saved: its format is"):
+        Trace.load(path)
 
 
 def test_csv_loses_nothing(made_up, made_up_columns, tmp_path):

@@ -16,7 +16,7 @@ struct Column {
   std::vector<double> values;
 };
 
-/// Cycle records as columns. Row k is the state before step k and what was decided there.
+/// Cycle records as columns: those of `visit_columns`, in its order. Row k is the state before step k and what was decided there.
 class Recorder {
  public:
   /// @param controller must outlive the recorder   @param duration to set memory aside for, so that `add` does not allocate [s]
@@ -36,13 +36,9 @@ class Recorder {
   const MeasuredContact& contact() const { return contact_; }
 
  private:
-  template <class Derived>
-  void push(const Eigen::DenseBase<Derived>& values);
-  void push(double value);
-
   const WalkingController* controller_;
   std::vector<Column> columns_;
-  std::size_t rows_ = 0, next_ = 0;
+  std::size_t rows_ = 0;
   MeasuredContact contact_;
 };
 

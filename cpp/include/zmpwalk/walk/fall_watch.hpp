@@ -3,7 +3,7 @@
 #include "zmpwalk/control/dynamics.hpp"
 #include "zmpwalk/gait/gait_generator.hpp"
 #include "zmpwalk/settings/settings.hpp"
-#include "zmpwalk/walk/cycle_output.hpp"
+#include "zmpwalk/walk/record.hpp"
 
 namespace zmpwalk {
 

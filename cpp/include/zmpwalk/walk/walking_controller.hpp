@@ -13,9 +13,9 @@
 #include "zmpwalk/walk/com_reference.hpp"
 #include "zmpwalk/walk/control_clock.hpp"
 #include "zmpwalk/walk/cycle.hpp"
-#include "zmpwalk/walk/cycle_output.hpp"
 #include "zmpwalk/walk/fall_watch.hpp"
 #include "zmpwalk/walk/leg_reach.hpp"
+#include "zmpwalk/walk/record.hpp"
 #include "zmpwalk/zmp/bounds.hpp"
 #include "zmpwalk/zmp/estimate.hpp"
 

@@ -1,0 +1,185 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "zmpwalk/math/types.hpp"
+
+namespace zmpwalk {
+
+/// Why a walk ended.
+enum class Fall : int { kNone = 0, kHeight, kTilt, kFootTipped, kNonFinite, kNoContact };
+std::string to_string(Fall fall);
+
+/// Everything one cycle decided; every number that a figure shows.
+///
+/// Unit, frame and meaning of each number stand once, in `visit_columns`.
+struct CycleOutput {
+  double t = 0.0;
+  Vec3 com = Vec3::Zero(), dcom = Vec3::Zero();
+  Vec3 com_des = Vec3::Zero(), dcom_des = Vec3::Zero();
+  double heading = 0.0;
+  Vec3 command = Vec3::Constant(kNaN);
+  Vec3 v_plan = Vec3::Zero(), v_des = Vec3::Zero(), v_error_integral = Vec3::Zero();
+  Vec2 zmp_des = Vec2::Zero(), zmp_ref = Vec2::Zero(), zmp_est = Vec2::Zero();
+  Vec2 zmp_lower = Vec2::Zero(), zmp_upper = Vec2::Zero();
+  Vec4 zmp_plane{0.0, 0.0, 1.0, 0.0};
+  Vec2 zmp_first = Vec2::Constant(kNaN), zmp_slope = Vec2::Zero(), zmp_modified = Vec2::Zero();
+  int phase = 0, support = 1, step = 0;
+  bool at_rest = false;
+  double phase_time = 0.0;
+  double w_T = kNaN;
+  int iterations = 0;
+  Vec3 foothold = Vec3::Constant(kNaN);
+  std::array<Eigen::Matrix<double, 7, 1>, 2> foot;
+  VecX tau;
+  Vec12 f_c = Vec12::Constant(kNaN);
+  double torque_ratio = 0.0;
+  bool saturated = false, damped = false;
+  Fall fell = Fall::kNone;
+  bool fresh = false;  ///< This call computed the torque. It is no column: only fresh cycles are recorded.
+};
+
+/// A cycle as the recorder sees it once its step is done: what was decided, and what the simulation showed of it.
+struct RecordedCycle {
+  const CycleOutput& out;
+  Vec2 zmp_meas;
+  Vec12 contact_wrench;
+  int self_contacts;
+  double joint_margin;
+  Eigen::Map<const VecX> qpos, qvel;
+};
+
+/// The numbers that a column holds in each row: how many there are and what they are called.
+struct Parts {
+  int count;          ///< how many; with `and_nv`, how many more than nv
+  const char* names;  ///< one after the other; with `and_nv`, what counts them
+  bool and_nv = false;
+  int width(int nv) const { return count + (and_nv ? nv : 0); }
+};
+inline constexpr Parts kOne{1, ""}, kXy{2, "x y"}, kXyz{3, "x y z"}, kPlanar{3, "x y yaw"}, kPlane{4, "nx ny nz d"},
+    kPose{7, "x y z qw qx qy qz"}, kJoints{-6, "joints", true}, kVelocities{0, "nv", true},
+    kPositions{1, "nv + 1", true},
+    kWrenches{12,
+              "left_fx left_fy left_fz left_mx left_my left_mz right_fx right_fy right_fz right_mx right_my right_mz"};
+
+/// The one table of everything that is recorded: calls `v(name, get, parts, unit, frame, meaning)` for each column, in order.
+///
+/// The recorder, the properties of CycleOutput in Python, the attributes of a Trace and docs/columns.md come from it. A new column is a
+/// member above and a row here, and is filled where it is decided. `get` reads a CycleOutput, or a RecordedCycle where the column is known
+/// only after the step; see `column_value`. Frames are those of NOTATION. The meaning is one sentence that stands alone.
+template <class Visitor>
+void visit_columns(Visitor&& v) {
+  using Out = CycleOutput;
+  using Cycle = RecordedCycle;
+  v("t", &Out::t, kOne, "s", "", "Time in the simulation of the state that this cycle read.");
+  v("com", &Out::com, kXyz, "m", "W", "Measured position of the centre of mass (COM).");
+  v("dcom", &Out::dcom, kXyz, "m/s", "W", "Measured velocity of the COM.");
+  v("com_des", &Out::com_des, kXyz, "m", "W",
+    "Position of the COM that the next cycle should find; eq. (16) gives its x and y.");
+  v("dcom_des", &Out::dcom_des, kXyz, "m/s", "W",
+    "Velocity of the COM that the next cycle should find; eq. (16) gives its x and y.");
+  v("heading", &Out::heading, kOne, "rad", "W",
+    "Direction in which the path leads, as an angle from the world's x axis.");
+  v("command", &Out::command, kPlanar, "m/s, rad/s", "H",
+    "Live velocity command that is in force; it is NaN while the velocity profile leads.");
+  v("v_plan", &Out::v_plan, kPlanar, "m/s, rad/s", "H",
+    "Planned velocity: that of the command or the profile, changed no faster than the steps can follow.");
+  v("v_des", &Out::v_des, kPlanar, "m/s, rad/s", "H",
+    "Desired velocity: horizontal velocity of the COM that the next cycle should find, and the planned turning rate.");
+  v("v_error_integral", &Out::v_error_integral, kPlanar, "m, rad", "H",
+    "Integral over time of v_des minus v_plan, which velocity tracking (III-C) brings back to zero; it is taken along"
+    " x alone and is zero in the other two.");
+  v("zmp_des", &Out::zmp_des, kXy, "m", "W",
+    "Desired ZMP: the bound that III-B brings the ZMP to, or the estimate itself where the ZMP is left alone.");
+  v("zmp_ref", &Out::zmp_ref, kXy, "m", "W", "Reference ZMP: the ZMP that the pendulum of eq. (16) is given.");
+  v("zmp_est", &Out::zmp_est, kXy, "m", "W",
+    "ZMP that the torque of this cycle will produce, estimated before it is sent (eq. 14, 15).");
+  v("zmp_meas", &Cycle::zmp_meas, kXy, "m", "W",
+    "ZMP of the contact forces that MuJoCo applied under this torque; it is NaN without contact.");
+  v("zmp_lower", &Out::zmp_lower, kXy, "m", "W",
+    "Corner of the designed bounds of the ZMP that lies at their lower end along both axes of the support sole.");
+  v("zmp_upper", &Out::zmp_upper, kXy, "m", "W",
+    "Corner of the designed bounds of the ZMP that lies at their upper end along both axes of the support sole.");
+  v("zmp_plane", &Out::zmp_plane, kPlane, "1, m", "W",
+    "Plane that every zmp_* lies on, as the points p with n . p = d: its unit normal n and d.");
+  v("zmp_first", &Out::zmp_first, kXy, "m", "W",
+    "Estimated ZMP of the first pass of III-B, whose reference is the desired ZMP; it is NaN where the ZMP is left "
+    "alone.");
+  v("zmp_slope", &Out::zmp_slope, kXy, "", "S",
+    "Derivative of the estimated ZMP with respect to the reference ZMP, along each axis of the support sole.");
+  v("zmp_modified", &Out::zmp_modified, kXy, "", "S",
+    "What III-B does along each axis of the support sole: -1 brings the ZMP to the lower bound, +1 to the upper "
+    "bound, 0 leaves it alone.");
+  v("phase", &Out::phase, kOne, "", "", "Phase of the step: 0 is double support, 1 is single support.");
+  v("support", &Out::support, kOne, "", "", "Foot that carries the ZMP: +1 is the left foot, -1 the right foot.");
+  v("step", &Out::step, kOne, "", "",
+    "Number of the step, from 0 on; a step is a double support and the single support after it.");
+  v("at_rest", &Out::at_rest, kOne, "", "", "Whether the robot stands and is not asked to walk.");
+  v("phase_time", &Out::phase_time, kOne, "s", "", "Time since the phase began.");
+  v("w_T", &Out::w_T, kOne, "m/s", "H",
+    "Lateral velocity that the COM would have in the middle of the next single support if the ZMP switched feet now "
+    "(eq. 18); it is NaN while no switch is awaited.");
+  v("iterations", &Out::iterations, kOne, "", "", "Number of passes of III-B; it is 0 where the ZMP is left alone.");
+  v("foothold", &Out::foothold, kPlanar, "m, rad", "W",
+    "Place and direction in which the swing foot is to land; it is NaN in double support.");
+  v(
+      "foot_left", [](const Out& out) -> const auto& { return out.foot[kLeft]; }, kPose, "m", "W",
+      "Pose of the left sole: position of its centre, and unit quaternion of its axes.");
+  v(
+      "foot_right", [](const Out& out) -> const auto& { return out.foot[kRight]; }, kPose, "m", "W",
+      "Pose of the right sole: position of its centre, and unit quaternion of its axes.");
+  v("tau", &Out::tau, kJoints, "N m", "", "Torque that is sent to each joint.");
+  v("f_c", &Out::f_c, kWrenches, "N, N m", "W",
+    "Wrench of the robot on the ground that is expected under each foot, at the centre of its sole; f_z < 0 where the"
+    " foot carries, and a foot in the air has NaN.");
+  v("contact_wrench", &Cycle::contact_wrench, kWrenches, "N, N m", "W",
+    "Wrench of the robot on the ground that MuJoCo's contacts gave under each foot, at the centre of its sole; a foot"
+    " without contact has NaN.");
+  v("torque_ratio", &Out::torque_ratio, kOne, "", "",
+    "Largest ratio of a joint's torque to its limit, before torques are cut to their limits.");
+  v("saturated", &Out::saturated, kOne, "", "", "Whether a torque was cut to its limit.");
+  v("damped", &Out::damped, kOne, "", "", "Whether the motion was damped because a leg is nearly straight.");
+  v("self_contacts", &Cycle::self_contacts, kOne, "", "",
+    "Number of contacts between two bodies of the robot while this torque acted.");
+  v("joint_margin", &Cycle::joint_margin, kOne, "rad or m", "",
+    "Distance from its limit of the joint that is nearest to one, after this torque acted; it is infinite without "
+    "limits.");
+  v(
+      "fell", [](const Out& out) { return out.fell != Fall::kNone; }, kOne, "", "",
+      "Whether the robot has fallen, which ends the walk.");
+  v("qpos", &Cycle::qpos, kPositions, "m, rad", "W",
+    "Configuration that this cycle read, as in MuJoCo: position and unit quaternion of the base, then the joints.");
+  v("qvel", &Cycle::qvel, kVelocities, "m/s, rad/s", "W",
+    "Velocity that this cycle read, as in MuJoCo: of the base, its rotation in its own axes, then of the joints.");
+}
+
+/// True where a cycle decides the column by itself: then it is also a property of CycleOutput in Python.
+template <class Get>
+inline constexpr bool is_decided = std::is_invocable_v<const Get&, const CycleOutput&>;
+
+/// What `get` of a column reads.
+template <class Get>
+decltype(auto) column_value(const Get& get, const RecordedCycle& cycle) {
+  if constexpr (is_decided<Get>)
+    return std::invoke(get, cycle.out);
+  else
+    return std::invoke(get, cycle);
+}
+
+/// A row of the table as a plain value.
+struct RecordedColumn {
+  std::string name;
+  Parts parts;
+  std::string unit, frame, meaning;
+  bool decided;  ///< by the cycle itself; else it is known only after the step
+  /// Meaning, size, names of the parts, unit and frame in words.
+  std::string text() const;
+};
+/// The table, in the order of the record.
+std::vector<RecordedColumn> recorded_columns();
+
+}  // namespace zmpwalk
