@@ -306,7 +306,7 @@ class Trace(RecordedColumns, Mapping):
             raise
         except Exception as error:  # zipfile, zlib, json and numpy each have their own way to say it
             raise InputError(f"{path}: not a trace, or damaged: {error}") from None
-        return cls(columns, meta, model)
+        return cls(columns, {**meta, "format_version": FORMAT_VERSION}, model)  # saved again, it is of today's format
 
     def to_csv(self, path: str | os.PathLike) -> Path:
         """Write the columns as one table, seventeen digits so that nothing is lost, whole or not at all.
