@@ -99,7 +99,8 @@ void visit_columns(Visitor&& v) {
   v("zmp_est", &Out::zmp_est, kXy, "m", "W",
     "ZMP that the torque of this cycle will produce, estimated before it is sent (eq. 14, 15).");
   v("zmp_meas", &Cycle::zmp_meas, kXy, "m", "W",
-    "ZMP of the contact forces that MuJoCo applied under this torque; it is NaN without contact.");
+    "ZMP of the contact forces that MuJoCo applied under this torque, on the plane of the estimate through the sole as "
+    "the contacts found it; it is NaN without contact.");
   v("zmp_lower", &Out::zmp_lower, kXy, "m", "W",
     "Corner of the designed bounds of the ZMP that lies at their lower end along both axes of the support sole.");
   v("zmp_upper", &Out::zmp_upper, kXy, "m", "W",
