@@ -33,6 +33,20 @@ BOOST_AUTO_TEST_CASE(fast_path_is_the_textbook_over_a_walk_with_all_phases) {
   BOOST_CHECK_GT(compared[1], 400);
 }
 
+BOOST_AUTO_TEST_CASE(bare_physics_takes_the_very_steps_of_the_walk_it_is_timed_beside) {
+  for (const std::vector<Column>& columns :
+       {benchmark_walk(mahru(), describe(mahru()), WalkSettings(), VelocityProfile::paper(), 2.0),
+        benchmark_walk(mahru(), describe(mahru()), with([](WalkSettings& s) { s.control_dt = 0.004; }),
+                       VelocityProfile::paper(), 2.0)}) {
+    BOOST_REQUIRE_EQUAL(column(columns, "walk").size(), 9);  // of 0.2 s; the last ends where no cycle begins
+    for (int i = 0; i < 9; ++i) {
+      BOOST_CHECK_EQUAL(column(columns, "difference")[i], 0.0);
+      BOOST_CHECK_GT(column(columns, "walk")[i], 0.0);
+      BOOST_CHECK_GT(column(columns, "bare")[i], 0.0);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(cycle_on_mujocos_terms_has_the_bits_of_the_one_from_scratch) {
   WalkingController computed(mahru(), describe(mahru())), given(mahru(), describe(mahru()));
   const MjDataPtr d = make_data(mahru());
@@ -84,6 +98,8 @@ BOOST_AUTO_TEST_CASE(builds_of_the_loops_walk_alike) {
 BOOST_AUTO_TEST_CASE(runge_kutta_walks_in_whole_steps_and_is_not_timed) {
   const ModelPtr m = load_text(replaced(mahru_text(), "integrator=\"Euler\"", "integrator=\"RK4\""));
   BOOST_CHECK_THROW(CycleBenchmark(m.get(), describe(m.get()), WalkSettings(), VelocityProfile::paper()), InputError);
+  BOOST_CHECK_THROW(benchmark_walk(m.get(), describe(m.get()), WalkSettings(), VelocityProfile::paper(), 1.0),
+                    InputError);
   const Walk walk(1.0, WalkSettings(), VelocityProfile::paper(), m.get());
   BOOST_CHECK(walk.result.fell == Fall::kNone);
   BOOST_CHECK_EQUAL(walk.rows(), 1000);
