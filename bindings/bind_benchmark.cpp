@@ -47,9 +47,8 @@ void bind_benchmark(py::module_& m) {
       "model"_a, "description"_a, "settings"_a, "profile"_a, "duration"_a, "on_progress"_a = py::none(),
       "Times a recorded walk and mj_step alone on the same states, piece by piece in turn.\n\n"
       "Args:\n    duration: simulated time [s].\n    on_progress: called as f(t, duration) about 10 times a second; "
-      "may "
-      "raise.\n\n"
+      "may raise.\n\n"
       "Returns:\n    columns by name, (pieces,): walk, bare, microseconds per step; difference, the largest difference "
-      "of qpos between\n    the two at the end of the piece, which is zero.\n\nRaises:\n    ModelError, InputError as "
+      "of qvel between\n    the two at the end of the piece, which is zero.\n\nRaises:\n    ModelError, InputError as "
       "WalkingController; InputError for a Runge-Kutta integrator.");
 }
