@@ -1,5 +1,5 @@
-// The control cycle alone, for tools that want a program: callgrind counts its instructions (benchmarks/instructions.py), and
-// two builds of it are timed against each other (benchmarks/native.py).
+// The control cycle and a plan alone, for tools that want a program: callgrind counts their instructions
+// (benchmarks/instructions.py), and two builds of the cycle are timed against each other (benchmarks/native.py).
 
 #include <algorithm>
 #include <cmath>
@@ -13,17 +13,25 @@ using namespace zmpwalk;
 
 namespace {
 
-/// Callgrind collects inside this function alone: --toggle-collect=counted_update*.
+/// Callgrind collects inside the functions whose names begin with `counted`: --toggle-collect=*counted_*.
 __attribute__((noinline)) void counted_update(WalkingController& controller, mjData* d, Terms terms) {
   controller.update(d, terms);
+}
+
+__attribute__((noinline)) std::size_t counted_plan(const WalkingController& controller) {
+  return controller.plan(3.2, 0.01).t.size();
+}
+
+WalkSettings with_kernel(const std::string& name) {
+  WalkSettings settings;
+  settings.control.kernel = name;
+  return settings;
 }
 
 /// One whole step of the paper's walk, [1.6, 2.4) s; its cycles of one phase are counted. Prints how many there were.
 int count(const mjModel* m, Phase phase, Terms terms, const std::string& kernel) {
   const RobotDescription description = describe(m);
-  WalkSettings settings;
-  settings.control.kernel = kernel;
-  WalkingController controller(m, description, settings);
+  WalkingController controller(m, description, with_kernel(kernel));
   MjDataPtr data(mj_makeData(m));
   mjData* d = data.get();
   description.place(m, d);
@@ -47,6 +55,14 @@ int count(const mjModel* m, Phase phase, Terms terms, const std::string& kernel)
   return 0;
 }
 
+/// The plan that `make bench` times: 3.2 s of footsteps, COM and ZMP of the paper's walk, every 10 ms. Prints that it was one.
+int count_plan(const mjModel* m, const std::string& kernel) {
+  const WalkingController controller(m, describe(m), with_kernel(kernel));
+  if (counted_plan(controller) == 0) return 2;
+  std::printf("1\n");
+  return 0;
+}
+
 /// Prints min and median of the whole cycle, in the loop and from scratch [us].
 int time(const mjModel* m, double duration) {
   CycleBenchmark benchmark(m, describe(m), WalkSettings(), VelocityProfile::paper());
@@ -62,8 +78,11 @@ int time(const mjModel* m, double duration) {
 
 int main(int argc, char** argv) {
   const std::string what = argc > 2 ? argv[2] : "";
-  if (what != "time" && !(what == "count" && argc > 5)) {
-    std::fprintf(stderr, "usage: cycle MJCF time | cycle MJCF count single|double in_loop|from_scratch KERNEL\n");
+  if (what != "time" && !(what == "count" && argc > 5) && !(what == "plan" && argc > 3)) {
+    std::fprintf(stderr,
+                 "usage: cycle MJCF time\n"
+                 "       cycle MJCF count single|double in_loop|from_scratch KERNEL\n"
+                 "       cycle MJCF plan KERNEL\n");
     return 2;
   }
   char error[1000] = "";
@@ -72,10 +91,14 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "%s\n", error);
     return 2;
   }
-  const int code = what == "time"
-                       ? time(m, 8.0)
-                       : count(m, std::string(argv[3]) == "single" ? Phase::kSingleSupport : Phase::kDoubleSupport,
-                               std::string(argv[4]) == "in_loop" ? Terms::kInData : Terms::kCompute, argv[5]);
+  int code = 2;
+  if (what == "time")
+    code = time(m, 8.0);
+  else if (what == "plan")
+    code = count_plan(m, argv[3]);
+  else
+    code = count(m, std::string(argv[3]) == "single" ? Phase::kSingleSupport : Phase::kDoubleSupport,
+                 std::string(argv[4]) == "in_loop" ? Terms::kInData : Terms::kCompute, argv[5]);
   mj_deleteModel(m);
   return code;
 }

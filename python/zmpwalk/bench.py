@@ -224,6 +224,20 @@ def _simulate(loaded: Any, duration: float, progress: Progress) -> Result:
     }
 
 
+def _physics(loaded: Any, duration: float, progress: Progress) -> Result:
+    """A recorded walk beside MuJoCo's step alone on the same states; a controller that cost nothing would have 1."""
+    model, description = loaded
+    with _pinned():
+        columns = _core.benchmark_walk(model, description, _core.WalkSettings(), WALK(), duration, progress)
+    walk, bare = statistics(columns["walk"]), statistics(columns["bare"])
+    return {
+        "walk": walk,
+        "mj_step": bare,
+        "speed_ratio": {each: bare[each] / walk[each] for each in ("min", "median")},
+        "same_states": not columns["difference"].any(),
+    }
+
+
 def _batch(loaded: Any, duration: float, progress: Progress) -> Result:
     """Eight walks on one thread, two, and as many as there are cores."""
     runs = [
@@ -321,6 +335,7 @@ PARTS: dict[str, Callable[[Any, float, Progress], Result]] = {
     "kernels": _kernels,
     "plan": _plan,
     "simulate": _simulate,
+    "physics": _physics,
     "batch": _batch,
     "joints": _joints,
     "import": _import,
@@ -391,6 +406,9 @@ def tables(result: Result) -> list[tuple[str, list[str], list[list[str]]]]:
                 "× real time",
             ]
         )
+    if "physics" in result:
+        ratio = result["physics"]["speed_ratio"]["median"]
+        rest.append(["speed of a recorded walk, mj_step alone on the same states being 1", f"{ratio:.3f}", "×"])
     if "plan" in result:
         rest.append(["plan of 3.2 s", f"{result['plan']['median']:.0f}", "µs"])
     if "import" in result:

@@ -33,6 +33,17 @@ BOOST_AUTO_TEST_CASE(fast_path_is_the_textbook_over_a_walk_with_all_phases) {
   BOOST_CHECK_GT(compared[1], 400);
 }
 
+BOOST_AUTO_TEST_CASE(bare_physics_takes_the_very_steps_of_the_walk_it_is_timed_beside) {
+  for (const double dt : {0.001, 0.004}) {
+    const std::vector<Column> columns = benchmark_walk(
+        mahru(), describe(mahru()), with([&](WalkSettings& s) { s.control_dt = dt; }), VelocityProfile::paper(), 2.0);
+    BOOST_REQUIRE_EQUAL(column(columns, "difference").size(), 99);  // each of 20 ms; the last has no cycle after it
+    for (const double difference : column(columns, "difference")) BOOST_CHECK_EQUAL(difference, 0.0);
+    for (const char* name : {"walk", "bare"})
+      for (const double time : column(columns, name)) BOOST_CHECK_GT(time, 0.0);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(cycle_on_mujocos_terms_has_the_bits_of_the_one_from_scratch) {
   WalkingController computed(mahru(), describe(mahru())), given(mahru(), describe(mahru()));
   const MjDataPtr d = make_data(mahru());
@@ -85,6 +96,8 @@ BOOST_AUTO_TEST_CASE(builds_of_the_loops_walk_alike) {
 BOOST_AUTO_TEST_CASE(runge_kutta_walks_in_whole_steps_and_is_not_timed) {
   const ModelPtr m = load_text(replaced(mahru_text(), "integrator=\"Euler\"", "integrator=\"RK4\""));
   BOOST_CHECK_THROW(CycleBenchmark(m.get(), describe(m.get()), WalkSettings(), VelocityProfile::paper()), InputError);
+  BOOST_CHECK_THROW(benchmark_walk(m.get(), describe(m.get()), WalkSettings(), VelocityProfile::paper(), 1.0),
+                    InputError);
   const Walk walk(1.0, WalkSettings(), VelocityProfile::paper(), m.get());
   BOOST_CHECK(walk.result.fell == Fall::kNone);
   BOOST_CHECK_EQUAL(walk.rows(), 1000);

@@ -180,7 +180,8 @@ def test_robots_of_the_growth_table_have_their_joints_and_walk(joints):
 
 def test_bench_writes_every_figure(tmp_path, capsys):
     file = tmp_path / "bench.json"
-    assert main(["bench", "--duration", "1", "--part", "cycle", "--part", "plan", "--json", str(file)]) == 0
+    parts = ["--part", "cycle", "--part", "plan", "--part", "physics"]
+    assert main(["bench", "--duration", "1", *parts, "--json", str(file)]) == 0
     result = json.loads(file.read_text())
     assert result["machine"]["cpu"] and result["build"]["kernel"]
     assert result["cycle"]["cycles"] == 1000
@@ -189,8 +190,11 @@ def test_bench_writes_every_figure(tmp_path, capsys):
         for stage in ("in_loop", "from_scratch", "step", "algebra", "textbook"):
             of = result["cycle"][phase][stage]
             assert 0 < of["min"] <= of["median"] <= of["p99"] <= of["p99.9"] <= of["max"]
+    physics = result["physics"]
+    assert physics["same_states"]
+    assert physics["speed_ratio"]["median"] == physics["mj_step"]["median"] / physics["walk"]["median"]
     printed = capsys.readouterr().out
-    for words in ("one cycle in double support", "mj_step", "plan of 3.2 s", result["machine"]["cpu"]):
+    for words in ("one cycle in double support", "mj_step alone", "plan of 3.2 s", result["machine"]["cpu"]):
         assert words in printed
 
 
