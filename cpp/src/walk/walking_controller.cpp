@@ -100,8 +100,6 @@ WalkingController::WalkingController(const mjModel* model, const RobotDescriptio
       result_(whole_body_.result()),
       J_c_(RowMatX::Zero(12, robot_.nv())),
       drift_c_(VecX::Zero(12)) {
-  if (model->opt.disableflags & (mjDSBL_CONTACT | mjDSBL_CONSTRAINT))
-    throw ModelError("the model's option flags switch contacts off; walking needs them");
   if (settings_.momentum_arms > 0.0 && (swinging_.empty() || !settings_.posture_task))
     throw InputError("momentum_arms = " + std::to_string(settings_.momentum_arms) +
                      " needs the posture task and joints outside the legs that carry less than a fifth of the robot; 0 "

@@ -17,9 +17,6 @@ struct MjDataDeleter {
 };
 using MjDataPtr = std::unique_ptr<mjData, MjDataDeleter>;
 
-/// Name of a MuJoCo object, or "" where it has none.
-std::string object_name(const mjModel* m, mjtObj type, int id);
-
 /// Hip pitch, knee and ankle pitch axes of a leg at the start pose, seen from the side (x forward, z up).
 struct RobotLeg {
   double thigh = 0.0;                ///< hip to knee [m]
@@ -33,8 +30,7 @@ struct RobotLeg {
 /// From a state alone it works on an mjData of its own: no collision, no constraint solver. `m` must outlive it.
 class Robot {
  public:
-  /// @throws ModelError  as RobotDescription::check; a start pose without two level soles on the ground, with a leg whose six
-  ///         joints cannot move the sole in every direction, or against the model's own couplings
+  /// @throws ModelError  with every reason of `model_reasons`; where there is none, with those of `stand_reasons`
   Robot(const mjModel* m, const RobotDescription& description);
 
   /// Reads the robot's state out of `d` and computes every term of `dynamics()`. Allocates nothing.
@@ -112,7 +108,6 @@ class Robot {
     std::vector<int> chain;  // bodies from the root to the foot
     std::vector<int> dofs;   // robot's dof indices that move it
   };
-  void check_stand(const mjModel* m) const;
   void collect(const mjData* d);
   void read_sole(const SoleFrame& frame, const mjData* d, SoleState& out) const;
 
