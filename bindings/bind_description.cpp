@@ -1,7 +1,7 @@
 #include "common.hpp"
 #include "zmpwalk/robot/description.hpp"
-#include "zmpwalk/robot/model_rules.hpp"
 #include "zmpwalk/robot/robot.hpp"
+#include "zmpwalk/robot/rules/model_rules.hpp"
 #include "zmpwalk/robot/words.hpp"
 
 using namespace zmpwalk;

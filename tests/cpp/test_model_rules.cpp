@@ -1,8 +1,8 @@
-#include "zmpwalk/robot/model_rules.hpp"
+#include "zmpwalk/robot/rules/model_rules.hpp"
 
 #include "robots.hpp"
 #include "zmpwalk/math/error.hpp"
-#include "zmpwalk/robot/stand_rules.hpp"
+#include "zmpwalk/robot/rules/leg_rules.hpp"
 
 using namespace zmpwalk;
 using namespace zmpwalk::testing;
@@ -72,6 +72,19 @@ BOOST_AUTO_TEST_CASE(names_that_do_not_exist_are_one_reason_for_each_kind_and_hi
   BOOST_CHECK_EQUAL(reasons[0].text.substr(0, 53), "the model has no joint named 'rot', 'r_hipp'; it has:");
 }
 
+BOOST_AUTO_TEST_CASE(a_description_of_nothing_is_refused) {
+  RobotDescription description = describe(mahru());
+  for (Foot& foot : description.feet) foot.body = "world", foot.leg_joints.clear();
+  check_rules(model_reasons(mahru(), description), {"leg", "leg"});
+  description.root_joint.clear();
+  for (Foot& foot : description.feet) foot.sole_site.clear();
+  check_rules(model_reasons(mahru(), description), {"base"});
+  check_rules(model_reasons(mahru(), RobotDescription()), {"names"});
+  const LegParts nowhere{"left", 99, {}, {}};
+  CHECK_THROWS(model_reasons(mahru(), {1, {nowhere, nowhere}, Vec3::Zero()}), InputError, "body 99 does not exist");
+  CHECK_THROWS(model_reasons(mahru(), {1, {nowhere}, Vec3::Zero()}), InputError, "the robot has 1 legs");
+}
+
 BOOST_AUTO_TEST_CASE(every_foot_and_joint_that_breaks_a_rule_is_told) {
   RobotDescription description = describe(mahru());
   for (Foot& foot : description.feet) foot.length = 0.02;
@@ -95,7 +108,7 @@ BOOST_AUTO_TEST_CASE(a_base_that_is_no_free_joint_is_told_with_its_joints_and_wh
     const Reasons reasons = model_reasons(m.get());
     check_rules(reasons, {"base"});
     RobotDescription description = describe(mahru());
-    check_rules(model_reasons(m.get(), description), {"names", "base"});  // no joint 'root'
+    check_rules(model_reasons(m.get(), description), {"base", "names"});  // no joint 'root'
     description.root_joint.clear();
     check_rules(model_reasons(m.get(), description), {"base"});
     BOOST_CHECK_EQUAL(model_reasons(m.get(), description).front().text, reasons.front().text);

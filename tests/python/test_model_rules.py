@@ -106,7 +106,10 @@ BASES = {
     "a ball": ('<joint name="turn" type="ball"/>', "'turn' (ball)"),
     "a hinge": ('<joint name="pitch" axis="0 1 0"/>', "'pitch' (hinge)"),
 }  # fmt: skip
-CRATE = ("<worldbody>", '<worldbody><body name="crate" pos="3 0 1"><freejoint/><inertial mass="1" pos="0 0 0" diaginertia="0.1 0.1 0.1"/><geom size="0.2"/></body>')
+CRATE = (
+    "<worldbody>",
+    '<worldbody><body name="crate" pos="3 0 1"><freejoint/><inertial mass="1" pos="0 0 0" diaginertia="0.1 0.1 0.1"/><geom size="0.2"/></body>',
+)
 
 
 @pytest.mark.parametrize("scene", ["alone", "beside a free crate"])
@@ -178,7 +181,7 @@ def texts_of_python(path):
 
 def test_no_rule_is_worded_in_both_languages():
     in_cpp = {
-        run for path in (CPP / "src" / "robot").glob("*.cpp") for text in texts_of_cpp(path) for run in runs(text)
+        run for path in (CPP / "src" / "robot").rglob("*.cpp") for text in texts_of_cpp(path) for run in runs(text)
     }
     in_python = {run for path in (PYTHON / "zmpwalk").rglob("*.py") for text in texts_of_python(path) for run in runs(text)}  # fmt: skip
     assert len(in_cpp) > 200

@@ -4,8 +4,9 @@
 #include <numeric>
 
 #include "zmpwalk/math/error.hpp"
-#include "zmpwalk/robot/model_rules.hpp"
 #include "zmpwalk/robot/robot.hpp"
+#include "zmpwalk/robot/rules/model_rules.hpp"
+#include "zmpwalk/robot/tree.hpp"
 #include "zmpwalk/robot/words.hpp"
 
 namespace zmpwalk {

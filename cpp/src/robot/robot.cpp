@@ -6,7 +6,7 @@
 
 #include "zmpwalk/math/error.hpp"
 #include "zmpwalk/robot/mujoco_compat.hpp"
-#include "zmpwalk/robot/stand_rules.hpp"
+#include "zmpwalk/robot/rules/stand_rules.hpp"
 #include "zmpwalk/robot/words.hpp"
 
 namespace zmpwalk {

@@ -14,6 +14,19 @@ std::string label(const mjModel* m, mjtObj type, int id) {
   return "'" + (name.empty() ? std::to_string(id) : name) + "'";
 }
 
+std::string body_label(const mjModel* m, int body) { return "body " + label(m, mjOBJ_BODY, body); }
+
+std::string joint_labels(const mjModel* m, const std::vector<int>& joints) {
+  std::vector<std::string> words;
+  for (const int j : joints) words.push_back(label(m, mjOBJ_JOINT, j));
+  return joints.empty() ? "none" : listed(words);
+}
+
+std::string joint_kind(const mjModel* m, int joint) {
+  const int type = m->jnt_type[joint];
+  return type == mjJNT_BALL ? "ball" : type == mjJNT_SLIDE ? "slide" : type == mjJNT_HINGE ? "hinge" : "free";
+}
+
 std::string number(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", value);

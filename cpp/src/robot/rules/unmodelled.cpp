@@ -1,4 +1,4 @@
-#include "zmpwalk/robot/unmodelled.hpp"
+#include "zmpwalk/robot/rules/unmodelled.hpp"
 
 #include <algorithm>
 #include <cmath>

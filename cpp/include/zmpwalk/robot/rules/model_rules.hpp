@@ -9,8 +9,8 @@
 #include "zmpwalk/math/types.hpp"
 #include "zmpwalk/robot/description.hpp"
 
-// The rules that a model, a robot in it and its description must keep, so that the robot can walk. Each rule stands here and in
-// `unmodelled.hpp`, `stand_rules.hpp`, and nowhere else: whoever looks for a robot asks here what is wrong with it.
+// The rules that a model, a robot in it and its description must keep, so that the robot can walk. Each rule stands in this folder and
+// nowhere else: whoever looks for a robot asks here what is wrong with it.
 
 namespace zmpwalk {
 
@@ -50,12 +50,6 @@ Reasons model_reasons(const mjModel* m, const RobotParts& robot, const mjData* u
 
 /// The same for the robot that a description names: also names that do not exist, start pose and torque limits.
 Reasons model_reasons(const mjModel* m, const RobotDescription& description);
-
-/// The free joint of the tree that `body` hangs in, or -1.
-int free_joint_of(const mjModel* m, int body);
-
-/// Bodies from `body` up to the root of its tree, itself first.
-std::vector<int> ancestors(const mjModel* m, int body);
 
 /// Joints between the base and the feet: legs, and a waist that they hang from.
 std::vector<int> chain_joints(const mjModel* m, const RobotParts& robot);

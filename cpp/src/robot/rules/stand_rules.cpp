@@ -1,4 +1,4 @@
-#include "zmpwalk/robot/stand_rules.hpp"
+#include "zmpwalk/robot/rules/stand_rules.hpp"
 
 #include <Eigen/SVD>
 #include <algorithm>
@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "zmpwalk/robot/robot.hpp"
-#include "zmpwalk/robot/unmodelled.hpp"
+#include "zmpwalk/robot/rules/leg_rules.hpp"
+#include "zmpwalk/robot/rules/unmodelled.hpp"
 #include "zmpwalk/robot/words.hpp"
 
 namespace zmpwalk {
@@ -16,8 +17,6 @@ constexpr double kStandTilt = 0.02;     // of a sole [rad]
 constexpr double kStandHeight = 0.005;  // of a sole over the ground [m]
 /// Least over largest singular value of a leg's Jacobian, lengths in units of the leg.
 constexpr double kLeastMobility = 1e-3;
-/// A joint pitches the foot where its axis has at least this much along the robot's left, and rolls it where along its forward.
-constexpr double kAlong = 0.5;
 
 /// The leg's six columns of its sole's Jacobian.
 Mat6 leg_jacobian(const Robot& robot, Side side) {
@@ -59,18 +58,6 @@ void add_leg_at_stand(const Robot& robot, Side side, Reasons& out) {
 }
 
 }  // namespace
-
-void add_leg_axes(const std::string& leg, const LegAxes& axes, const Vec3& forward, const Vec3& left, Reasons& out) {
-  const Eigen::Array<double, 1, 6> pitch = (left.transpose() * axes).array().abs(),
-                                   roll = (forward.transpose() * axes).array().abs();
-  if (!(pitch[3] > kAlong) || !(pitch.head<3>().maxCoeff() > kAlong))
-    out.push_back({"leg axes", leg +
-                                   " is not hip 3 joints, knee, ankle 2: the fourth must bend the knee, and one of the "
-                                   "first three pitch the hip"});
-  for (const auto& [what, turns] : {std::make_pair("pitch", pitch), std::make_pair("roll", roll)})
-    if (!(turns.tail<2>().maxCoeff() > kAlong))
-      out.push_back({"leg axes", leg + " has no ankle " + what + ": the last two joints must pitch and roll the foot"});
-}
 
 Reasons stand_reasons(const Robot& robot, const mjData* d) {
   Reasons out;

@@ -2,7 +2,7 @@
 
 #include <mujoco/mujoco.h>
 
-#include "zmpwalk/robot/model_rules.hpp"
+#include "zmpwalk/robot/rules/model_rules.hpp"
 
 namespace zmpwalk {
 

@@ -1,14 +1,11 @@
 #pragma once
 
-#include <mujoco/mujoco.h>
-
+#include <set>
 #include <string>
 
-#include "zmpwalk/robot/model_rules.hpp"
+#include "zmpwalk/robot/rules/model_rules.hpp"
 
 namespace zmpwalk {
-
-class Robot;
 
 /// Directions of a leg's six joint axes, hip to ankle: columns (3, 6) of unit vectors.
 using LegAxes = Eigen::Matrix<double, 3, 6>;
@@ -19,10 +16,13 @@ using LegAxes = Eigen::Matrix<double, 3, 6>;
 /// @param leg  how the sentence calls it: "the left leg (l_hip_yaw, ...)"
 void add_leg_axes(const std::string& leg, const LegAxes& axes, const Vec3& forward, const Vec3& left, Reasons& out);
 
-/// What is wrong with a robot's start pose: soles that are not level and on the ground, legs that cannot move their soles in every
-/// direction, couplings of the model that do not hold there.
+/// Adds what is wrong with the two legs and their soles: six hinges each, from hip to ankle; no point feet; feet that can touch the ground;
+/// and, with a pose, axes (`model_reasons` says which pose).
 ///
-/// @param d  the start pose, which `robot` has read, after mj_tendon
-Reasons stand_reasons(const Robot& robot, const mjData* d);
+/// @param taken  the joints that belong to legs
+void add_legs(const mjModel* m, const RobotParts& robot, const mjData* upright, std::set<int>& taken, Reasons& out);
+
+/// How sentences call a foot: "the left foot", or "the foot" where its side is not known.
+std::string foot_of(const LegParts& leg);
 
 }  // namespace zmpwalk
