@@ -1,8 +1,21 @@
 #include "common.hpp"
 #include "zmpwalk/robot/description.hpp"
 #include "zmpwalk/robot/robot.hpp"
+#include "zmpwalk/robot/rules/model_rules.hpp"
+#include "zmpwalk/robot/words.hpp"
 
 using namespace zmpwalk;
+
+namespace {
+
+/// (rule, sentence) pairs.
+py::list pairs(const Reasons& reasons) {
+  py::list out;
+  for (const Reason& reason : reasons) out.append(py::make_tuple(reason.rule, reason.text));
+  return out;
+}
+
+}  // namespace
 
 void bind_description(py::module_& m) {
   py::class_<Foot>(m, "Foot", "One flat foot: body, sole frame and size, and the six joints of its leg, hip to ankle.")
@@ -78,6 +91,46 @@ void bind_description(py::module_& m) {
           "model"_a, "data"_a, "ground"_a = 0.0,
           "Puts the robot into its start pose, at rest, soles on z = ground [m]; only its own qpos and qvel change.\n\n"
           "Raises:\n    ModelError: as check().");
+
+  py::class_<LegParts>(m, "LegParts", "A leg by MuJoCo's numbers: its foot's body, and its joints from hip to ankle.")
+      .def(py::init([](int foot, std::vector<int> joints, std::string side, std::optional<Vec2> sole) {
+             return LegParts{std::move(side), foot, std::move(joints), sole};
+           }),
+           py::kw_only(), "foot"_a, "joints"_a, "side"_a = "", "sole"_a = std::nullopt)
+      .def_readonly("side", &LegParts::side, "'left', 'right', or '' where it is not known yet")
+      .def_readonly("foot", &LegParts::foot, "body that carries the sole")
+      .def_readonly("joints", &LegParts::joints, "joints, hip to ankle")
+      .def_readonly("sole", &LegParts::sole,
+                    "length and width of the sole (2,) [m], or None where they are not known yet");
+
+  py::class_<RobotParts>(m, "RobotParts", "A robot by MuJoCo's numbers: what the rules about its tree look at.")
+      .def(py::init([](int root_body, std::vector<LegParts> legs, const Vec3& forward) {
+             return RobotParts{root_body, std::move(legs), forward};
+           }),
+           py::kw_only(), "root_body"_a, "legs"_a, "forward"_a = Vec3(Vec3::Zero()))
+      .def_readonly("root_body", &RobotParts::root_body, "outermost body of its tree")
+      .def_readonly("legs", &RobotParts::legs, "two LegParts")
+      .def_readonly("forward", &RobotParts::forward, "its level direction (3,), world; zero where it is not known yet");
+
+  m.def(
+      "model_reasons",
+      [](const py::object& model, const std::optional<RobotDescription>& description) {
+        const mjModel* of = model_of(model);
+        return pairs(description ? model_reasons(of, *description) : model_reasons(of));
+      },
+      "model"_a, "description"_a = std::nullopt,
+      "All that keeps a robot from walking: (rule, sentence) pairs, none where nothing does.\n\n"
+      "Args:\n    description: the robot to look at; None looks at the world alone: gravity, time step, contacts, and "
+      "a tree with most of the joints that is fixed to the world.");
+  m.def(
+      "model_reasons",
+      [](const py::object& model, const RobotParts& robot, const py::object& upright) {
+        return pairs(model_reasons(model_of(model), robot, upright.is_none() ? nullptr : data_of(upright)));
+      },
+      "model"_a, "robot"_a, "upright"_a = py::none(),
+      "The same for a robot that has no description yet.\n\n"
+      "Args:\n    upright: data with the robot on level feet, after mj_kinematics and mj_comPos; with it, and with the "
+      "robot's forward direction, the directions of the legs' axes are looked at too.");
 
   m.def(
       "describe", [](const py::object& model) { return describe(model_of(model)); }, "model"_a,

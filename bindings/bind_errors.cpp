@@ -35,7 +35,9 @@ void bind_errors(py::module_&) {
     } catch (const zmpwalk::InputError& e) {
       PyErr_SetString(error_class("InputError").ptr(), e.what());
     } catch (const zmpwalk::ModelError& e) {
-      PyErr_SetString(error_class("ModelError").ptr(), e.what());
+      const py::object type = error_class("ModelError");
+      const py::object error = type(*py::cast(e.reasons));
+      PyErr_SetObject(type.ptr(), error.ptr());
     } catch (const zmpwalk::Error& e) {
       PyErr_SetString(error_class("Error").ptr(), e.what());
     }

@@ -65,13 +65,19 @@ BOOST_AUTO_TEST_CASE(the_bundled_humanoid_describes_itself) {
 }
 
 BOOST_AUTO_TEST_CASE(a_model_that_cannot_walk_is_refused_with_what_is_missing) {
-  refuses("<freejoint name='root'/>", "", "no free joint; a walking robot needs a floating base (<freejoint/>)");
+  refuses(
+      "<freejoint name='root'/>", "",
+      "fixed base: body 'trunk' has no free joint and is fixed to the world; a walking robot needs a floating base: "
+      "write <freejoint name=\"root\"/> in it");
   refuses("<site name='left_sole'", "<site name='sole'", "no site 'left_sole'");
   refuses("<site name='left_sole'", "<site name='sole'", "it has sites: sole, right_sole");
   refuses("name='right_sole' type='box'", "name='right_sole' type='ellipsoid'", "'right_sole' is not a box");
   refuses("<key name='stand'", "<key name='home'", "no keyframe 'stand'");
-  refuses("lj3' type='hinge'", "lj3' type='slide'", "leg joint 'lj3' is no hinge");
-  refuses("size='0.1 0.05 0.001'", "size='0.01 0.05 0.001'", "point foot: the left sole is 0.020000 x 0.100000 m");
+  refuses("lj3' type='hinge'", "lj3' type='slide'", "leg joint 'lj3' is a slide joint; a leg is six hinges");
+  refuses(
+      "size='0.1 0.05 0.001'", "size='0.01 0.05 0.001'",
+      "point foot: the left sole, of body 'l5', is 0.02 x 0.1 m, too small for a leg of 0.5 m, which takes at least "
+      "0.05 x 0.02 m");
 }
 
 BOOST_AUTO_TEST_CASE(a_robot_with_a_ball_joint_or_a_joint_without_start_value_is_refused) {
@@ -100,12 +106,12 @@ BOOST_AUTO_TEST_CASE(a_description_with_a_wrong_name_or_number_is_refused) {
   refused([](auto& d) { d.root_joint = "l_knee"; }, "'l_knee' is not a free joint");
   refused([](auto& d) { d.feet[kLeft].body = "paw"; }, "no body named 'paw'");
   refused([](auto& d) { d.feet[kRight].sole_site = "pad"; }, "no site named 'pad'");
-  refused([](auto& d) { d.feet[kLeft].length = 0.0; },
-          "the left sole is 0.000000 x 0.140000 m; both must be greater than 0");
-  refused([](auto& d) { d.feet[kLeft].width = kNaN; }, "both must be greater than 0");
-  refused([](auto& d) { d.feet[kRight].leg_joints.pop_back(); }, "the right leg has 5 joints");
+  refused([](auto& d) { d.feet[kLeft].length = 0.0; }, "point foot: the left sole, of body 'l_foot', is 0 x 0.14 m");
+  refused([](auto& d) { d.feet[kLeft].width = kNaN; }, "is 0.25 x nan m, too small");
+  refused([](auto& d) { d.feet[kRight].leg_joints.pop_back(); },
+          "the right leg that ends at body 'r_foot' has 5 joints");
   refused([](auto& d) { d.feet[kRight].leg_joints[0] = "l_knee"; },
-          "'l_knee' is listed for the right leg but does not move");
+          "the right leg lists joints that do not move its foot 'r_foot': 'l_knee'");
   refused([](auto& d) { d.feet[kLeft].leg_joints[1] = d.feet[kLeft].leg_joints[0]; }, "is listed twice");
   refused([](auto& d) { d.stand_joints.erase("waist_yaw"); }, "no value for joint 'waist_yaw'");
   refused([](auto& d) { d.stand_joints["waist_yaw"] = kNaN; }, "'waist_yaw' is not finite");

@@ -261,8 +261,8 @@ def test_jacobians_give_the_velocities_and_are_mujocos(robot, seed):
 @pytest.mark.parametrize("seed", SEEDS)
 def test_equation_of_motion_is_mujocos(seed):
     model, description = zmpwalk.load_robot("mahru")
-    model.opt.disableflags = mujoco.mjtDisableBit.mjDSBL_CONSTRAINT  # in the air
     robot = (model, _core.Robot(model, description), mujoco.MjData(model))
+    model.opt.disableflags = mujoco.mjtDisableBit.mjDSBL_CONSTRAINT  # in the air
     state = State(robot, "both", seed)
     data = robot[2]
     data.ctrl[:] = state.rng.uniform(-10, 10, model.nu)

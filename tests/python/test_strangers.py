@@ -343,8 +343,8 @@ SKIRT = '<flex name="skirt" dim="2" body="torso torso pelvis" vertex="0 0 0 0.1 
 HEAD = '<body name="head_2" pos="0 0 0.4"><joint name="neck" {}/><geom size="0.05" mass="1"/></body>'
 
 REFUSED = {
-    "gravity sideways": ([put("option", gravity="0 1 -9.81")], "gravity is (0.000000, 1.0"),
-    "no gravity": ([put("option", gravity="0 0 0")], "gravity is (0.0"),
+    "gravity sideways": ([put("option", gravity="0 1 -9.81")], "gravity is (0, 1, -9.81) m/s^2;"),
+    "no gravity": ([put("option", gravity="0 0 0")], "gravity is (0, 0, 0) m/s^2;"),
     "gravity upwards": ([put("option", gravity="0 0 9.81")], "points down along z"),
     "gravity switched off": ([add("option", '<flag gravity="disable"/>')], "and switched off"),
     "contacts switched off": ([add("option", '<flag contact="disable"/>')], "switch contacts off"),
@@ -371,7 +371,7 @@ REFUSED = {
 if NEW:
     REFUSED.update({
         "motors that answer late": ([actuators(lambda j, t: f'<motor name="{j}" joint="{j}" delay="0.004" nsample="5"/>', "l_knee")], "actuator 'l_knee' of the robot delays its control"),
-        "a robot that floats": ([put(".//body", gravcomp="0.5")], "lifts 50.0"),
+        "a robot that floats": ([put(".//body", gravcomp="0.5")], "lifts 50 %"),
         "a skirt": ([add("deformable", SKIRT)], "body 'pelvis': a flex is attached to it"),
         "a tendon with a rotor": ([add("tendon", ELBOW_TENDON.format('armature="1"'))], "has armature"),
         "geoms that stick": ([put(".//default[@class='sole_box']/geom", adhesion="5")], "its geoms stick"),
@@ -398,14 +398,14 @@ def change(plain, path, value):
 
 LEG = [f"l_{joint}" for joint in ("hip_yaw", "hip_roll", "hip_pitch", "knee", "ankle_pitch", "ankle_roll")]
 WRONG = {
-    "five joints a leg": ("left.leg_joints", LEG[:5], "the left leg has 5 joints between hip and foot"),
+    "five joints a leg": ("left.leg_joints", LEG[:5], "the left leg that ends at body 'l_foot' has 5 joints ('l_hip_yaw', 'l_hip_roll', 'l_hip_pitch', 'l_knee', 'l_ankle_pitch')"),
     "a leg from foot to hip": ("left.leg_joints", LEG[::-1], "not listed from hip to ankle: 'l_ankle_pitch' comes before 'l_ankle_roll'"),
-    "one leg twice": ("right.leg_joints", LEG, "listed for the right leg but does not move"),
+    "one leg twice": ("right.leg_joints", LEG, "the right leg lists joints that do not move its foot 'r_foot': 'l_hip_yaw', 'l_hip_roll'"),
     "a fixed base": ("root_joint", "l_knee", "'l_knee' is not a free joint"),
-    "point feet": ("left.length", 0.02, "point foot: the left sole is 0.020000 x 0.140000 m"),
+    "point feet": ("left.length", 0.02, "point foot: the left sole, of body 'l_foot', is 0.02 x 0.14 m"),
     "a stand in the air": ("stand_base_pos", [0, 0, 0.9], "m over the ground; both soles must lie flat"),
     "a stand on the toes": ("stand_joints.l_ankle_pitch", 0.0, "the left sole is tilted by 0.39"),
-    "a limit of nothing": ("torque_limits", {"l_knee": 0}, "the torque limit of joint 'l_knee' is 0.0"),
+    "a limit of nothing": ("torque_limits", {"l_knee": 0}, "the torque limit of joint 'l_knee' is 0 N m"),
     "a limit of no joint": ("torque_limits", {"l_nee": 5}, "no joint named 'l_nee'"),
 }  # fmt: skip
 

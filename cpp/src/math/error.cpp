@@ -2,6 +2,12 @@
 
 namespace zmpwalk {
 
+std::string ModelError::lines(const std::vector<std::string>& why) {
+  std::string text;
+  for (const std::string& reason : why) text += (text.empty() ? "" : "\n") + reason;
+  return text;
+}
+
 void require_size(const char* name, long got, long want) {
   if (got == want) return;
   throw DimensionError(std::string(name) + " has " + std::to_string(got) + " entries; it must have " +

@@ -7,9 +7,8 @@
 #include <limits>
 #include <set>
 
-#include "zmpwalk/math/error.hpp"
 #include "zmpwalk/robot/mujoco_compat.hpp"
-#include "zmpwalk/robot/robot.hpp"
+#include "zmpwalk/robot/words.hpp"
 
 namespace zmpwalk {
 namespace {
@@ -18,11 +17,6 @@ using mujoco_compat::control_address;
 using mujoco_compat::force_address;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-bool turns_joint(const mjModel* m, int actuator) {
-  const int kind = m->actuator_trntype[actuator];
-  return kind == mjTRN_JOINT || kind == mjTRN_JOINTINPARENT;
-}
 
 double gear(const mjModel* m, int actuator) { return m->actuator_gear[6 * force_address(m, actuator)]; }
 double gain(const mjModel* m, int actuator) { return m->actuator_gainprm[mjNGAIN * actuator]; }
@@ -51,23 +45,30 @@ std::string kind_of(const mjModel* m, int a) {
   return "actuator";
 }
 
-/// Largest torque that one actuator can put on its joint, either way [N m].
-double limit_of(const mjModel* m, int a, const std::string& joint) {
-  double limit = kInfinity;
-  const auto tighten = [&](const mjtNum* range, double scale, const char* what) {
-    limit = std::min(limit, std::abs(scale) * std::min(-range[0], range[1]));
-    if (!(limit > 0.0))
-      throw ModelError("motor of joint '" + joint + "' has a " + what + " range without 0 inside; use " + what +
-                       "range=\"-tau tau\"");
-  };
+/// Largest torque that the range of the control, or of the force, lets through both ways; infinity without a range [N m].
+double limit_by_control(const mjModel* m, int a) {
   const int control = control_address(m, a);
-  if (is_motor(m, a) && m->actuator_ctrllimited[control])
-    tighten(m->actuator_ctrlrange + 2 * control, gear(m, a) * gain(m, a), "ctrl");
-  if (m->actuator_forcelimited[a]) tighten(m->actuator_forcerange + 2 * a, gear(m, a), "force");
-  return limit;
+  if (!is_motor(m, a) || !m->actuator_ctrllimited[control]) return kInfinity;
+  const mjtNum* range = m->actuator_ctrlrange + 2 * control;
+  return std::abs(gear(m, a) * gain(m, a)) * std::min(-range[0], range[1]);
+}
+double limit_by_force(const mjModel* m, int a) {
+  if (!m->actuator_forcelimited[a]) return kInfinity;
+  const mjtNum* range = m->actuator_forcerange + 2 * a;
+  return std::abs(gear(m, a)) * std::min(-range[0], range[1]);
 }
 
 }  // namespace
+
+const char* range_without_rest(const mjModel* m, int actuator) {
+  if (!(limit_by_control(m, actuator) > 0.0)) return "ctrl";
+  return limit_by_force(m, actuator) > 0.0 ? nullptr : "force";
+}
+
+bool turns_joint(const mjModel* m, int actuator, int joint) {
+  const int kind = m->actuator_trntype[actuator];
+  return (kind == mjTRN_JOINT || kind == mjTRN_JOINTINPARENT) && m->actuator_trnid[2 * actuator] == joint;
+}
 
 std::vector<int> tree_joints(const mjModel* m, int root) {
   std::vector<int> joints;
@@ -118,9 +119,9 @@ Actuation::Actuation(const mjModel* m, const std::vector<int>& joints, const std
     std::vector<int> acting;
     double model_limit = 0.0;
     for (int a = 0; a < mujoco_compat::actuator_count(m); ++a)
-      if (turns_joint(m, a) && m->actuator_trnid[2 * a] == joint) {
+      if (turns_joint(m, a, joint)) {
         acting.push_back(a);
-        model_limit += limit_of(m, a, name);
+        model_limit += std::min(limit_by_control(m, a), limit_by_force(m, a));
       }
     if (acting.empty()) model_limit = kInfinity;
     acting.insert(acting.end(), pulled[joint].begin(), pulled[joint].end());
@@ -129,15 +130,10 @@ Actuation::Actuation(const mjModel* m, const std::vector<int>& joints, const std
     JointDrive drive;
     drive.limit = model_limit;
     const auto limit = limits.find(name);
-    if (limit != limits.end()) {
-      if (!(limit->second > 0.0))
-        throw ModelError("the torque limit of joint '" + name + "' is " + std::to_string(limit->second) +
-                         " N m; it must be greater than 0");
-      drive.limit = limit->second;
-    }
+    if (limit != limits.end()) drive.limit = limit->second;
     const bool by_gravity = mujoco_compat::compensates_gravity_by_actuator(m, joint);
     const auto named = [&](int a) { return kind_of(m, a) + " '" + object_name(m, mjOBJ_ACTUATOR, a) + "'"; };
-    if (acting.size() == 1 && turns_joint(m, acting[0]) && is_motor(m, acting[0]) && !by_gravity) {
+    if (acting.size() == 1 && turns_joint(m, acting[0], joint) && is_motor(m, acting[0]) && !by_gravity) {
       drive.control = control_address(m, acting[0]);
       drive.scale = gear(m, acting[0]) * gain(m, acting[0]);
       drive.limit = std::min(drive.limit, model_limit);

@@ -3,13 +3,13 @@
 #include <mujoco/mujoco.h>
 
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
 #include "zmpwalk/math/error.hpp"
 #include "zmpwalk/robot/mujoco_compat.hpp"
-#include "zmpwalk/robot/unmodelled.hpp"
+#include "zmpwalk/robot/rules/stand_rules.hpp"
+#include "zmpwalk/robot/words.hpp"
 
 namespace zmpwalk {
 namespace {
@@ -31,20 +31,9 @@ int tree_nv(const mjModel* m, int root) {
   return count;
 }
 
-// What a start pose must be: soles level and on the ground, and legs that can move their soles in every direction.
-constexpr double kStandTilt = 0.02;     // [rad]
-constexpr double kStandHeight = 0.005;  // of a sole over the ground [m]
-constexpr double kLeastMobility =
-    1e-3;  // least over largest singular value of a leg's Jacobian, lengths in units of the leg
-
 constexpr double kArmShare = 0.2;  // of the robot's mass: what an arm, not the waist, carries at most
 
 }  // namespace
-
-std::string object_name(const mjModel* m, int type, int id) {
-  const char* name = id < 0 ? nullptr : mj_id2name(m, type, id);
-  return name ? name : "";
-}
 
 void MjDataDeleter::operator()(mjData* d) const { mj_deleteData(d); }
 
@@ -111,30 +100,8 @@ Robot::Robot(const mjModel* m, const RobotDescription& description)
     if (m->jnt_limited[id])
       hip_turn_ = std::min({hip_turn_, stand_[yaw] - m->jnt_range[2 * id], m->jnt_range[2 * id + 1] - stand_[yaw]});
   }
-  check_stand(m);
-}
-
-void Robot::check_stand(const mjModel* m) const {
-  for (const Side side : kSides) {
-    const std::string which = side == kLeft ? "left" : "right";
-    const SoleState& sole = dynamics_.sole[side];
-    const double tilt = std::acos(std::clamp(sole.R_WF(2, 2), -1.0, 1.0)), height = sole.p_WF.z();
-    if (tilt > kStandTilt || std::abs(height) > kStandHeight)
-      throw ModelError("at the start pose the " + which + " sole is tilted by " + std::to_string(tilt) + " rad and " +
-                       std::to_string(height) + " m over the ground; both soles must lie flat on z = 0");
-    const double length = leg_[side].thigh + leg_[side].shank;
-    Eigen::Matrix<double, 6, 6> J;
-    for (int i = 0; i < 6; ++i) J.col(i) = sole.J.col(6 + leg_joints_[side][i]);
-    J.topRows<3>() /= length;
-    const Eigen::Matrix<double, 6, 1> mobility = Eigen::JacobiSVD<Eigen::Matrix<double, 6, 6>>(J).singularValues();
-    if (!(mobility[5] > kLeastMobility * mobility[0]))
-      throw ModelError(
-          "the " + which +
-          " leg cannot move its sole in every direction at the start pose: its knee is straight, or its six axes "
-          "lack a roll, pitch or yaw");
-  }
   mj_tendon(m, data_.get());
-  require_coupled_stand(m, {root_body_, {}}, data_.get());
+  require_none(stand_reasons(*this, data_.get()));
 }
 
 int Robot::joint_about(int axis, Side side, int first, int last) const {
@@ -153,8 +120,6 @@ Eigen::Map<const VecX> Robot::qpos() const { return {data_->qpos + qpos0_, nv_ +
 Eigen::Map<const VecX> Robot::qvel() const { return {data_->qvel + dof0_, nv_}; }
 
 double Robot::timestep() const { return m_->opt.timestep; }
-
-bool Robot::contacts_enabled() const { return !(m_->opt.disableflags & (mjDSBL_CONTACT | mjDSBL_CONSTRAINT)); }
 
 bool Robot::is_robot(int body) const { return m_->body_rootid[body] == root_body_; }
 

@@ -51,7 +51,6 @@ WalkingController::WalkingController(const mjModel* model, const RobotDescriptio
       result_(whole_body_.result()),
       J_c_(RowMatX::Zero(12, robot_.nv())),
       drift_c_(VecX::Zero(12)) {
-  if (!robot_.contacts_enabled()) throw ModelError("the model's option flags switch contacts off; walking needs them");
   robot_.friction_velocity = settings_.control.friction_velocity;
   f_star_.posture = VecX::Zero(robot_.joints());
   out_.tau = VecX::Zero(robot_.joints());

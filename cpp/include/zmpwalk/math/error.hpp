@@ -3,6 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace zmpwalk {
 
@@ -18,9 +20,15 @@ struct InputError : Error {
 struct DimensionError : Error {
   using Error::Error;
 };
-/// A model or robot that cannot be used.
+/// A model or robot that cannot be used; `what()` gives every reason, a line each.
 struct ModelError : Error {
-  using Error::Error;
+  explicit ModelError(std::vector<std::string> why) : Error(lines(why)), reasons(std::move(why)) {}
+  explicit ModelError(std::string why) : ModelError(std::vector<std::string>{std::move(why)}) {}
+
+  std::vector<std::string> reasons;
+
+ private:
+  static std::string lines(const std::vector<std::string>& why);
 };
 
 /// Throws DimensionError unless `got` equals `want`.

@@ -27,7 +27,7 @@ class Actuation {
  public:
   /// @param joints  MuJoCo numbers of the robot's joints, hinges and slides, in the order of its dofs
   /// @param limits  torque limits by joint name that replace the model's [N m]; a motor still gives no more than the model lets through
-  /// @throws ModelError  a motor that cannot be at rest, or a limit that is not positive
+  /// What the limits and ranges must be is a rule of the model (`model_reasons`), and is not asked again here.
   Actuation(const mjModel* m, const std::vector<int>& joints, const std::map<std::string, double>& limits);
 
   const std::vector<JointDrive>& drives() const { return drives_; }
@@ -47,6 +47,12 @@ class Actuation {
   bool subtracts_ = false;                      // something acts beside qfrc_applied
   int qpos0_ = 0, nq_ = 0, dof0_ = 0, nv_ = 0;  // of the robot's tree
 };
+
+/// The range, "ctrl" or "force", that never lets an actuator leave the joint that it turns without torque; nullptr where none is so.
+const char* range_without_rest(const mjModel* m, int actuator);
+
+/// The actuator turns `joint` itself, not through a tendon.
+bool turns_joint(const mjModel* m, int actuator, int joint);
 
 /// Hinges and slides of the tree whose root body is `root`, in the order of their dofs.
 std::vector<int> tree_joints(const mjModel* m, int root);

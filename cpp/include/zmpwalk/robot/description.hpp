@@ -32,8 +32,7 @@ struct RobotDescription {
   std::string stand_keyframe;                   ///< the keyframe the pose came from; may be empty
   std::map<std::string, double> torque_limits;  ///< by joint name, in place of the model's [N m]; may be empty
 
-  /// Throws ModelError unless every name exists in `m` and the robot can be walked: a free joint, two feet with a sole that can
-  /// touch the ground, six hinges a leg from hip to ankle, and nothing that is not modelled (`require_modelled`). Changes nothing.
+  /// Throws ModelError, with every reason of `model_reasons`, unless every name exists in `m` and the robot can be walked. Changes nothing.
   void check(const mjModel* m) const;
 
   /// Number of the free joint: `root_joint`, or where that is empty the left foot's tree's. The names must be right.

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <string>
 
 // MuJoCo's structs by name alone: a header that only passes them on need not include MuJoCo.
 struct mjModel_;
@@ -15,8 +14,5 @@ struct MjDataDeleter {
   void operator()(mjData* d) const;
 };
 using MjDataPtr = std::unique_ptr<mjData, MjDataDeleter>;
-
-/// Name of a MuJoCo object of `type` (mjtObj), or "" where it has none.
-std::string object_name(const mjModel* m, int type, int id);
 
 }  // namespace zmpwalk

@@ -27,8 +27,7 @@ struct RobotLeg {
 /// From a state alone it works on an mjData of its own: no collision, no constraint solver. `m` must outlive it.
 class Robot {
  public:
-  /// @throws ModelError  as RobotDescription::check; a start pose without two level soles on the ground, with a leg whose six
-  ///         joints cannot move the sole in every direction, or against the model's own couplings
+  /// @throws ModelError  with every reason of `model_reasons`; where there is none, with those of `stand_reasons`
   Robot(const mjModel* m, const RobotDescription& description);
 
   /// Reads the robot's state out of `d` and computes every term of `dynamics()`. Allocates nothing.
@@ -59,8 +58,7 @@ class Robot {
   void write_torque(const ConstVecRef& tau, mjData* d) const { actuation_.write(tau, d, data_.get()); }
 
   const mjModel* model() const { return m_; }
-  double timestep() const;        ///< of the model [s]
-  bool contacts_enabled() const;  ///< the model's option flags leave contacts on
+  double timestep() const;  ///< of the model [s]
   const RobotDescription& description() const { return description_; }
   int nv() const { return nv_; }
   int joints() const { return nv_ - 6; }
@@ -114,7 +112,6 @@ class Robot {
   };
   void copy_state(const double* q, const double* dq);  // into the robot's own mjData
   void compute();  // every term of `dynamics()`, from the state in the robot's own mjData
-  void check_stand(const mjModel* m) const;
   void collect(const mjData* d);
   void read_sole(const SoleFrame& frame, const mjData* d, SoleState& out) const;
 

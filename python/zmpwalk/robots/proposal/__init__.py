@@ -25,7 +25,7 @@ from .remarks import find_remarks, remark_usual_walk, usual_speed
 from .soles import remark_soles
 from .stand import find_stand
 from .table import inspect_robot
-from .tree import GEOM, JNT, OBJ, Found, body_label, name_of
+from .tree import GEOM, OBJ, Found, name_of
 
 __all__ = ["Proposal", "appraise", "describe", "is_marked", "propose", "write_description"]
 
@@ -113,7 +113,8 @@ def appraise(model: mujoco.MjModel, description: RobotDescription, remarks: list
         remarks += remark_usual_walk(model, description, controller, speed, refusal)
     except Error as error:
         table["speed_limit_mps"] = table["zmp_bounds_m"] = None
-        remarks.append(f"the walking controller refuses it: {error}")
+        reasons = error.reasons if isinstance(error, ModelError) else (str(error),)
+        remarks += [f"the walking controller refuses it: {reason}" for reason in reasons]
     table["remarks"] = remarks = list(dict.fromkeys(remarks))  # each once
     return Proposal(description, remarks, table)
 
@@ -165,16 +166,6 @@ def write_description(path: str | os.PathLike, model_file: str | os.PathLike, pr
 def _describe(robot: Found) -> RobotDescription:
     model, tree = robot.tree.model, robot.tree
     joints = [j for j in range(model.njnt) if model.jnt_bodyid[j] in tree.bodies]
-    for kind, ids in ((OBJ.mjOBJ_JOINT, joints[1:]), (OBJ.mjOBJ_BODY, [side.link for side in robot.sides])):
-        for i in ids:
-            if not name_of(model, kind, i):
-                what = "joint" if kind == OBJ.mjOBJ_JOINT else "foot body"
-                where = f" of {body_label(model, model.jnt_bodyid[i])}" if what == "joint" else ""
-                raise ModelError(f"{what} {i}{where} has no name; descriptions go by names, so give it one")
-            if kind == OBJ.mjOBJ_JOINT and model.jnt_type[i] == JNT.mjJNT_BALL:
-                raise ModelError(
-                    f"joint '{name_of(model, kind, i)}' is a ball joint; zmpwalk drives hinges and slides only"
-                )
     remark_soles(robot)
     data, keyframe = find_stand(robot)
     root = joints[0]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 
+from ... import _core
 from ...errors import ModelError
 from . import refusals
 from .soles import fit_sole, sole_points, support_points, touching_geoms
@@ -16,14 +17,9 @@ LOW = 0.05  # of the robot's height: what is this near to the ground stands on i
 def find_robot(model: mujoco.MjModel) -> Found:
     """The robot at `qpos0`, or at the first keyframe that shows one."""
     roots = [int(model.jnt_bodyid[j]) for j in range(model.njnt) if model.jnt_type[j] == JNT.mjJNT_FREE]
+    world = _core.model_reasons(model)
     if not roots:
-        fixed = [b for b in range(1, model.nbody) if model.body_parentid[b] == 0]
-        heaviest = max(fixed, key=lambda b: model.body_subtreemass[b], default=None)
-        what = "everything is" if heaviest is None else f"{body_label(model, heaviest)} is"
-        raise ModelError(
-            f"fixed base: the model has no free joint, {what} fixed to the world; a walking robot has a floating base "
-            f'(<freejoint name="root"/>) and two legs with soles'
-        )
+        refusals.refuse(text for _, text in world)
     refused: list[tuple[tuple[int, float], ModelError]] = []
     for k, pose in enumerate([model.qpos0, *model.key_qpos]):
         data = mujoco.MjData(model)
@@ -44,6 +40,7 @@ def find_robot(model: mujoco.MjModel) -> Found:
             if k > 0:
                 found[0].remarks.append("the feet were found at a keyframe, not at the zero pose")
             return found[0]
+    refusals.refuse(text for rule, text in world if rule == "base")  # the robot is what hangs from the world
     raise min(refused, key=lambda pair: pair[0])[1]
 
 
@@ -79,16 +76,14 @@ def _find_legs(tree: Tree, data: mujoco.MjData) -> Found:
         lowest = min(lows[link] for link in low if top in tree.chain(link))
         down = [link for link in low if top in tree.chain(link) and lows[link] <= lowest + 0.2 * LOW * height]
         sides.append(_leg(tree, data, down, trunk, geoms))
-    joints = [j for side in sides for j in side.joints]
-    not_six_hinges = list(refusals.legs(model, sides))
-    reasons = [*not_six_hinges, *refusals.ties(tree, joints), *refusals.drives(model, joints)]
     robot = Found(tree, data, sides, [])
-    if not not_six_hinges:
+    reasons = refusals.of_robot(robot)
+    if all(rule != "leg" for rule, _ in reasons):  # six hinges each: enough to tell left, right and forward
         _orient(robot)
         for side in robot.sides:
             fit_sole(robot, side)
-        reasons += refusals.feet(robot)
-    refusals.refuse(reasons)
+        reasons = refusals.of_robot(robot, upright=True)
+    refusals.refuse(text for _, text in reasons)
     return robot
 
 

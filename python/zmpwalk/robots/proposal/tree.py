@@ -21,7 +21,7 @@ def _numbers(kinds: Any) -> Any:
     return SimpleNamespace(**{name: int(getattr(kinds, name)) for name in names})
 
 
-GEOM, JNT, EQ, TRN = (_numbers(kinds) for kinds in (mujoco.mjtGeom, mujoco.mjtJoint, mujoco.mjtEq, mujoco.mjtTrn))
+GEOM, JNT, EQ = (_numbers(kinds) for kinds in (mujoco.mjtGeom, mujoco.mjtJoint, mujoco.mjtEq))
 WRAP = _numbers(mujoco.mjtWrap)
 HELP = "; add box sites left_sole and right_sole and a keyframe stand, or pass a robot.json"
 
