@@ -52,7 +52,8 @@ class RecordedColumns:
     """(T, 2) [m]. ZMP that the torque of this cycle will produce, estimated before it is sent (eq. 14, 15)."""
 
     zmp_meas: np.ndarray
-    """(T, 2) [m]. ZMP of the contact forces that MuJoCo applied under this torque; it is NaN without contact."""
+    """(T, 2) [m]. ZMP of the contact forces that MuJoCo applied under this torque, on the plane of the estimate through
+    the sole as the contacts found it; it is NaN without contact."""
 
     zmp_lower: np.ndarray
     """(T, 2) [m]. Corner of the designed bounds of the ZMP that lies at their lower end along both axes of the support
@@ -61,6 +62,9 @@ class RecordedColumns:
     zmp_upper: np.ndarray
     """(T, 2) [m]. Corner of the designed bounds of the ZMP that lies at their upper end along both axes of the support
     sole."""
+
+    zmp_plane: np.ndarray
+    """(T, 4) [1, m]. Plane that every zmp_* lies on, as the points p with n . p = d: its unit normal n and d."""
 
     zmp_first: np.ndarray
     """(T, 2) [m]. Estimated ZMP of the first pass of III-B, whose reference is the desired ZMP; it is NaN where the ZMP

@@ -12,7 +12,7 @@ PACKAGE = Path(zmpwalk.__file__).parent
 
 # From the ground up: a module imports modules of floors below its own, or of its own where that makes no circle.
 FLOORS = [
-    ["errors", "_build", "_core"],
+    ["errors", "_build", "_columns", "_core"],
     ["_check_mujoco", "files", "analysis", "settings"],
     ["profiles", "motion", "given", "robots"],
     ["trace"],

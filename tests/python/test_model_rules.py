@@ -9,7 +9,7 @@ import mujoco
 import pytest
 import zmpwalk
 from zmpwalk import ModelError, _core, cli
-from zmpwalk.description import ROBOTS, description_from_dict, description_to_dict
+from zmpwalk.robots import ROBOTS, description_from_dict, description_to_dict
 
 TEXT = (ROBOTS / "mahru.xml").read_text()
 CPP = Path(__file__).parents[2] / "cpp"
@@ -90,7 +90,7 @@ def test_a_start_pose_that_breaks_two_rules_is_told_twice(description):
     plain = description_to_dict(description)
     plain["stand_base_pos"][2] += 0.1
     broken = description_from_dict(plain)
-    remarks = zmpwalk.proposal.appraise(zmpwalk.load_robot("mahru")[0], broken).remarks
+    remarks = zmpwalk.robots.proposal.appraise(zmpwalk.load_robot("mahru")[0], broken).remarks
     assert [re.sub(r" is tilted.*", "", text) for text in remarks if "refuses" in text] == [
         f"the walking controller refuses it: at the start pose the {side} sole" for side in ("left", "right")
     ]

@@ -45,7 +45,7 @@ def turn(R_des, R):
 
 def wedges(feet):
     """The bundled robot over a wedge for each foot in place of its floor."""
-    root = ET.parse(zmpwalk.description.ROBOTS / "mahru.xml").getroot()
+    root = ET.parse(zmpwalk.robots.load.ROBOTS / "mahru.xml").getroot()
     world = root.find("worldbody")
     world.remove(world.find("geom[@name='floor']"))
     for name, foot in feet.items():

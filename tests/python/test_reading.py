@@ -31,8 +31,8 @@ FORMULAS = {
     7: r"\bJ_k\.transpose\(\) \* F\b",
     8: r"\bkp\w* \* \w*error.* \+ kd\w* \* ",
     10: r"\bsolveInPlace\(Lambda_c",
-    14: r"-\s?M\w*\.y\(\) / F\w*\.z\(\)|-m_y / f_z\b",
-    15: r"\bM\w*\.x\(\) / F\w*\.z\(\)|\bm_x / f_z\b",
+    14: r"-\s?M\w*\.y\(\) / F\w*\.z\(\)|-m_y / f_z\b|- n\.z\(\) \* M\.y\(\) \+ h \* F\.x\(\)\) / load",
+    15: r"\bM\w*\.x\(\) / F\w*\.z\(\)|\bm_x / f_z\b|\(n\.z\(\) \* M\.x\(\) .* \+ h \* F\.y\(\)\) / load",
     16: r"\(ch - 1(\.0)?\) \*|\bcosh\([^()]*\) - 1\b",
     18: r"\bsinh\([^()]*\) \* .*\bcosh\([^()]*\) \* ",
 }

@@ -18,8 +18,11 @@ void ControlClock::reset(double time) {
   started_ = true;
 }
 
+void ControlClock::require_started() const {
+  if (!started_) throw InputError("update was called before reset: reset reads the state in which the walk begins");
+}
+
 void ControlClock::require(double time) const {
-  if (!started_) throw InputError("update was called before reset");
   if (!std::isfinite(time)) throw InputError("the state's time is " + std::to_string(time) + "; it must be finite");
   if (time < last_)
     throw InputError("time has gone back from " + std::to_string(last_) + " s to " + std::to_string(time) +

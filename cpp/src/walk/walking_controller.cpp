@@ -186,6 +186,7 @@ void WalkingController::start() {
 }
 
 const CycleOutput& WalkingController::update(const State& state) {
+  clock_.require_started();
   require_size("state.q", state.q.size(), robot_.nv() + 1);
   require_size("state.dq", state.dq.size(), robot_.nv());
   if (!state.q.allFinite() || !state.dq.allFinite())
@@ -202,6 +203,7 @@ const CycleOutput& WalkingController::update(const State& state) {
 }
 
 const CycleOutput& WalkingController::update(mjData* data, Terms terms, const Sensed& sensed) {
+  clock_.require_started();
   robot_.require_data(data);
   if (!robot_.is_finite(data)) throw InputError("data holds a position or velocity that is not finite");
   robot_.observe(data, state_);

@@ -10,8 +10,9 @@ class ControlClock {
 
   /// The walk starts at `time` [s].
   void reset(double time);
-  bool started() const { return started_; }
-  /// @throws InputError  reset was never called; a time that is not finite, or that lies before the last one. Changes nothing.
+  /// @throws InputError  reset was never called
+  void require_started() const;
+  /// @throws InputError  a time that is not finite, or that lies before the last one. Changes nothing.
   void require(double time) const;
   /// A control period has gone by since the last cycle.
   bool due(double time) const;

@@ -105,8 +105,8 @@ void visit_columns(Visitor&& v) {
     "Corner of the designed bounds of the ZMP that lies at their lower end along both axes of the support sole.");
   v("zmp_upper", &Out::zmp_upper, kXy, "m", "W",
     "Corner of the designed bounds of the ZMP that lies at their upper end along both axes of the support sole.");
-  v("zmp_plane", &Out::zmp_plane, kPlane, "1, m", "W",
-    "Plane that every zmp_* lies on, as the points p with n . p = d: its unit normal n and d.");
+  v("zmp_plane", &Out::zmp_plane, kPlane, "m", "W",
+    "Plane that every zmp_* lies on, as the points p with n . p = d: its unit normal n, which has no unit, and d.");
   v("zmp_first", &Out::zmp_first, kXy, "m", "W",
     "Estimated ZMP of the first pass of III-B, whose reference is the desired ZMP; it is NaN where the ZMP is left "
     "alone.");
