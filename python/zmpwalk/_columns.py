@@ -64,7 +64,8 @@ class RecordedColumns:
     sole."""
 
     zmp_plane: np.ndarray
-    """(T, 4) [1, m]. Plane that every zmp_* lies on, as the points p with n . p = d: its unit normal n and d."""
+    """(T, 4) [m]. Plane that every zmp_* lies on, as the points p with n . p = d: its unit normal n, which has no unit,
+    and d."""
 
     zmp_first: np.ndarray
     """(T, 2) [m]. Estimated ZMP of the first pass of III-B, whose reference is the desired ZMP; it is NaN where the ZMP
