@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "zmpwalk/gait/point_walk.hpp"
 #include "zmpwalk/math/rotation.hpp"
 
 namespace zmpwalk {
@@ -236,14 +237,18 @@ void GaitGenerator::capture(const GaitInput& in, bool before_switch) {
                length = plan_.displacement(t_mid, t_mid + period).x();
   v_start_ = orbit({length / period, 0.0, 0.0}, period, true).end_velocity();
   xi_start_ = settings_.com_lead - 0.5 * length + pendulum_.Tc() * v_start_;
-  const PendulumState next = roll_out(in, time);
+  const Vec2 ahead = ahead_of(out_.heading);
+  const ForwardStance stance{out_.orbit,          out_.orbit_middle,  settings_.tracker_time,  //
+                             in.catch_up,         out_.dv_capture,                             //
+                             out_.room.lower.x(), out_.room.upper.x()};
+  const PendulumState next =
+      roll_out(pendulum_, plan_, in.t, time, {(in.com - out_.origin).dot(ahead), in.dcom.dot(ahead)}, stance);
   xi_next_ = pendulum_.dcm(next);
   v_next_ = next.v;
   if (settings_.footsteps != Footsteps::kTied) return;
   // One step of Newton's a cycle: a COM faster by dv is dv time further then, and its DCM dv (time + T_c).
   const bool decided = out_.phase.phase == Phase::kSingleSupport &&
                        (closing_ || out_.phase.time > settings_.foothold_freeze * out_.phase.duration);
-  const Vec2 ahead = ahead_of(out_.heading);
   const double foot = before_switch ? (in.p_sole[other(out_.support)].head<2>() - out_.origin).dot(ahead)
                       : decided     ? (footsteps_.target().p - out_.origin).dot(ahead)
                                     : footsteps_.lead(out_.phase.step, t_mid, period);
@@ -260,29 +265,6 @@ double GaitGenerator::ahead_of_plan(const GaitInput& in) const {
   // An excess speed, up to this, is left to the ZMP over that foot: taken up by the foothold, a long step would make the next one short.
   const double excess = pendulum_.Tc() * (v_next_ - v_start_), give = settings_.foothold_give;
   return xi_next_ - xi_start_ - planned - std::clamp(excess, give * out_.room.lower.x(), give * out_.room.upper.x());
-}
-
-PendulumState GaitGenerator::roll_out(const GaitInput& in, double time) const {
-  // The pendulum (16) under the smooth tracker, its ZMP inside the bounds of the stance sole; by its DCM and its mirror image x - T_c v.
-  constexpr int kPieces = 16;
-  const double Tc = pendulum_.Tc(), dt = time / kPieces, grow = std::exp(dt / Tc);
-  const double catch_up = -std::expm1(-dt / settings_.tracker_time) / dt;
-  const Vec2 ahead = ahead_of(out_.heading);
-  const PendulumState now{(in.com - out_.origin).dot(ahead), in.dcom.dot(ahead)};
-  double xi = now.x + Tc * now.v, mirror = now.x - Tc * now.v;
-  const bool smooth = plan_.smooth(in.t, in.t + time);
-  const double v_now = out_.v_plan.x(), slope = smooth ? (plan_.velocity(in.t + time).x() - v_now) / time : 0.0;
-  for (int k = 0; k < kPieces; ++k) {
-    // as it is in the middle of the piece
-    const double v = (xi - mirror) / (2.0 * Tc), x = 0.5 * (xi + mirror + dt * v), from_middle = x - out_.orbit_middle;
-    const double t = (k + 0.5) * dt, faster = smooth ? slope * t : plan_.velocity(in.t + t).x() - v_now;
-    const double dv = faster + in.catch_up + out_.dv_capture;
-    const double a = out_.orbit.acceleration(from_middle) + catch_up * (out_.orbit.velocity(from_middle) + dv - v);
-    const double r = std::clamp(pendulum_.reference_for(x, a), out_.room.lower.x(), out_.room.upper.x());
-    xi = r + (xi - r) * grow;
-    mirror = r + (mirror - r) / grow;
-  }
-  return {0.5 * (xi + mirror), (xi - mirror) / (2.0 * Tc)};
 }
 
 double GaitGenerator::stretch(const GaitInput& in) const {

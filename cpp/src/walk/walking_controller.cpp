@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "zmpwalk/control/momentum.hpp"
+#include "zmpwalk/gait/point_walk.hpp"
 #include "zmpwalk/math/error.hpp"
 #include "zmpwalk/math/rotation.hpp"
 #include "zmpwalk/zmp/reference_iteration.hpp"
@@ -240,26 +241,9 @@ void WalkingController::check_profile() const {
 }
 
 double WalkingController::start_excursion(double scale) const {
-  // The pendulum under the smooth tracker, its ZMP held inside the bounds of the foot that carries it, up to the second lift-off.
-  const VelocityProfile& plan = gait_.plan();
-  const double dt = settings_.control_dt, period = settings_.T_ds + settings_.T_ss;
-  const double t_end = settings_.T_ds_first + period, t_switch = t_end - 0.5 * settings_.T_ds;
-  const double foothold =
-      scale * (plan.displacement(0.0, t_switch) + 0.5 * plan.displacement(t_switch, t_switch + period)).x();
-  VelocityTracker tracker(TrackerLaw::kSmooth, settings_.tracker_gain, settings_.tracker_time,
-                          settings_.tracker_deadband);
-  const Dynamics& dyn = robot_.dynamics();
-  const Vec3 middle = 0.5 * (dyn.sole[kLeft].p_WF + dyn.sole[kRight].p_WF);
-  const double x_0 = (dyn.com - middle).head<2>().norm();
-  PendulumState s{x_0, 0.0};
-  for (double t = 0.0; t < t_end; t += dt) {
-    const double v_plan = scale * plan.velocity(t).x(), foot = t < t_switch ? 0.0 : foothold;
-    const double wanted = pendulum_.reference_for(s.x, tracker.acceleration(v_plan, s.v));
-    const double r = std::clamp(wanted, foot + bounds_[kLeft].lower.x(), foot + bounds_[kLeft].upper.x());
-    s = pendulum_.step(dt, s, r);
-    tracker.advance(s.v, v_plan, dt);
-  }
-  return s.x - x_0;
+  const auto& [left, right] = robot_.dynamics().sole;
+  const double x_0 = (robot_.dynamics().com - 0.5 * (left.p_WF + right.p_WF)).head<2>().norm();
+  return zmpwalk::start_excursion(settings_, gait_.plan(), pendulum_, bounds_[kLeft], x_0, scale);
 }
 
 double WalkingController::plan_mismatch(double duration) const {

@@ -93,9 +93,6 @@ class GaitGenerator {
   ZmpBounds sole_room(const Vec3& velocity) const;  // of the support foot alone
   /// The ZMP may go as far as the sole reaches on its longer side; `end`: as far as it does at the end of a stance.
   ForwardOrbit orbit(const Vec3& velocity, double period, bool end = false) const;
-  /// COM along the heading in the middle of the next double support, `time` [s] away, as the pendulum under the smooth tracker has it,
-  /// its ZMP inside the bounds of the support sole; from that sole's centre [m].
-  PendulumState roll_out(const GaitInput& in, double time) const;
   void capture(const GaitInput& in, bool before_switch);
   /// How much further than planned the next foot has to stand, so that the steady walk begins there [m].
   double ahead_of_plan(const GaitInput& in) const;

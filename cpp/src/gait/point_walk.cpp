@@ -1,0 +1,90 @@
+#include "zmpwalk/gait/point_walk.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "zmpwalk/math/rotation.hpp"
+
+namespace zmpwalk {
+
+PendulumState roll_out(const LinearInvertedPendulum& pendulum, const VelocityProfile& plan, double t, double time,
+                       const PendulumState& now, const ForwardStance& stance) {
+  // Eq. (16) in pieces, by the DCM and its mirror image x - T_c v: each leaves, or nears, the ZMP exponentially.
+  constexpr int kPieces = 16;
+  const double Tc = pendulum.Tc(), dt = time / kPieces, grow = std::exp(dt / Tc);
+  const double share = -std::expm1(-dt / stance.tracker_time) / dt;  // of a speed error, in a piece [1/s]
+  double xi = now.x + Tc * now.v, mirror = now.x - Tc * now.v;
+  const bool smooth = plan.smooth(t, t + time);
+  const double v_now = plan.velocity(t).x(), slope = smooth ? (plan.velocity(t + time).x() - v_now) / time : 0.0;
+  for (int k = 0; k < kPieces; ++k) {
+    // as it is in the middle of the piece
+    const double v = (xi - mirror) / (2.0 * Tc), x = 0.5 * (xi + mirror + dt * v),
+                 from_middle = x - stance.orbit_middle;
+    const double since = (k + 0.5) * dt, faster = smooth ? slope * since : plan.velocity(t + since).x() - v_now;
+    const double beside = faster + stance.catch_up + stance.dv_capture;
+    const double a = stance.orbit.acceleration(from_middle) + share * (stance.orbit.velocity(from_middle) + beside - v);
+    const double r = std::clamp(pendulum.reference_for(x, a), stance.lower, stance.upper);
+    xi = r + (xi - r) * grow;
+    mirror = r + (mirror - r) / grow;
+  }
+  return {0.5 * (xi + mirror), (xi - mirror) / (2.0 * Tc)};
+}
+
+double start_excursion(const WalkSettings& settings, const VelocityProfile& plan,
+                       const LinearInvertedPendulum& pendulum, const ZmpBounds& bounds, double x_0, double scale) {
+  const double dt = settings.control_dt, period = settings.T_ds + settings.T_ss;
+  const double t_end = settings.T_ds_first + period, t_switch = t_end - 0.5 * settings.T_ds;
+  const double foothold =
+      scale * (plan.displacement(0.0, t_switch) + 0.5 * plan.displacement(t_switch, t_switch + period)).x();
+  VelocityTracker tracker(TrackerLaw::kSmooth, settings.tracker_gain, settings.tracker_time, settings.tracker_deadband);
+  PendulumState s{x_0, 0.0};
+  for (double t = 0.0; t < t_end; t += dt) {
+    const double v_plan = scale * plan.velocity(t).x(), foot = t < t_switch ? 0.0 : foothold;
+    const double wanted = pendulum.reference_for(s.x, tracker.acceleration(v_plan, s.v));
+    s = pendulum.step(dt, s, std::clamp(wanted, foot + bounds.lower.x(), foot + bounds.upper.x()));
+    tracker.advance(s.v, v_plan, dt);
+  }
+  return s.x - x_0;
+}
+
+PointWalk::PointWalk(const WalkSettings& settings, const VelocityProfile& profile,
+                     const LinearInvertedPendulum& of_robot, const std::array<ZmpBounds, 2>& bounds,
+                     const SoleSize& sole, const GaitInput& start)
+    : pendulum(of_robot),
+      dt(settings.control_dt),
+      tracker(TrackerLaw::kSmooth, settings.tracker_gain, settings.tracker_time, settings.tracker_deadband,
+              settings.tracker_reach),
+      gait(settings, profile, sole, bounds),
+      in(start) {
+  gait.reset(in, pendulum);
+}
+
+const GaitOutput& PointWalk::step(Feet feet) {
+  in.catch_up = tracker.catch_up(gait.output().orbit_ahead);
+  const GaitOutput& now = feet == Feet::kSwing ? gait.update(in) : gait.update_steps(in);
+  const Mat2 R_S = rotation_z(now.yaw).topLeftCorner<2, 2>();
+  const Vec2 wanted = reference_zmp(now, pendulum, tracker, in.com, in.dcom);
+  zmp = now.origin + R_S * now.room.clamp(R_S.transpose() * (wanted - now.origin));
+  for (int i = 0; i < 2; ++i) {
+    const PendulumState s = pendulum.step(dt, {in.com[i], in.dcom[i]}, zmp[i]);
+    in.com[i] = s.x;
+    in.dcom[i] = s.v;
+  }
+  if (now.at_rest)
+    tracker.reset();
+  else
+    tracker.advance(in.dcom.dot(ahead_of(now.heading)), now.v_plan.x(), dt);
+  in.t += dt;
+  if (now.phase.phase == Phase::kSingleSupport) {
+    if (feet == Feet::kSwing) {
+      in.p_sole[now.swing] = now.swing_target.p;
+      in.R_sole[now.swing] = now.swing_target.R;
+    } else {
+      in.p_sole[now.swing].head<2>() = now.foothold.p;
+      in.R_sole[now.swing] = rotation_z(now.foothold.yaw);
+    }
+  }
+  return now;
+}
+
+}  // namespace zmpwalk
