@@ -7,20 +7,23 @@
 
 namespace zmpwalk {
 
-PendulumState roll_out(const LinearInvertedPendulum& pendulum, const VelocityProfile& plan, double t, double time,
-                       const PendulumState& now, const ForwardStance& stance) {
+PendulumState roll_out(const LinearInvertedPendulum& pendulum, const VelocityProfile& plan,
+                       const VelocityProfile::Moment& now, const VelocityProfile::Moment& then, double time,
+                       const PendulumState& state, const ForwardStance& stance) {
   // Eq. (16) in pieces, by the DCM and its mirror image x - T_c v: each leaves, or nears, the ZMP exponentially.
   constexpr int kPieces = 16;
   const double Tc = pendulum.Tc(), dt = time / kPieces, grow = std::exp(dt / Tc);
   const double share = -std::expm1(-dt / stance.tracker_time) / dt;  // of a speed error, in a piece [1/s]
-  double xi = now.x + Tc * now.v, mirror = now.x - Tc * now.v;
-  const bool smooth = plan.smooth(t, t + time);
-  const double v_now = plan.velocity(t).x(), slope = smooth ? (plan.velocity(t + time).x() - v_now) / time : 0.0;
+  double xi = state.x + Tc * state.v, mirror = state.x - Tc * state.v;
+  const bool smooth = now.segment == then.segment;
+  const double v_now = now.v.x(), slope = smooth ? (then.v.x() - v_now) / time : 0.0;
+  VelocityProfile::Moment reached = now;
   for (int k = 0; k < kPieces; ++k) {
     // as it is in the middle of the piece
     const double v = (xi - mirror) / (2.0 * Tc), x = 0.5 * (xi + mirror + dt * v),
                  from_middle = x - stance.orbit_middle;
-    const double since = (k + 0.5) * dt, faster = smooth ? slope * since : plan.velocity(t + since).x() - v_now;
+    const double since = (k + 0.5) * dt;
+    const double faster = smooth ? slope * since : plan.forward_from(reached, now.t + since) - v_now;
     const double beside = faster + stance.catch_up + stance.dv_capture;
     const double a = stance.orbit.acceleration(from_middle) + share * (stance.orbit.velocity(from_middle) + beside - v);
     const double r = std::clamp(pendulum.reference_for(x, a), stance.lower, stance.upper);
@@ -62,18 +65,19 @@ PointWalk::PointWalk(const WalkSettings& settings, const VelocityProfile& profil
 const GaitOutput& PointWalk::step(Feet feet) {
   in.catch_up = tracker.catch_up(gait.output().orbit_ahead);
   const GaitOutput& now = feet == Feet::kSwing ? gait.update(in) : gait.update_steps(in);
-  const Mat2 R_S = rotation_z(now.yaw).topLeftCorner<2, 2>();
+  const Mat2 R_S = axes_of(now.ahead_S);
   const Vec2 wanted = reference_zmp(now, pendulum, tracker, in.com, in.dcom);
   zmp = now.origin + R_S * now.room.clamp(R_S.transpose() * (wanted - now.origin));
+  const LinearInvertedPendulum::Over& in_dt = over(pendulum, dt);
   for (int i = 0; i < 2; ++i) {
-    const PendulumState s = pendulum.step(dt, {in.com[i], in.dcom[i]}, zmp[i]);
+    const PendulumState s = pendulum.step(in_dt, {in.com[i], in.dcom[i]}, zmp[i]);
     in.com[i] = s.x;
     in.dcom[i] = s.v;
   }
   if (now.at_rest)
     tracker.reset();
   else
-    tracker.advance(in.dcom.dot(ahead_of(now.heading)), now.v_plan.x(), dt);
+    tracker.advance(in.dcom.dot(now.ahead), now.v_plan.x(), dt);
   in.t += dt;
   if (now.phase.phase == Phase::kSingleSupport) {
     if (feet == Feet::kSwing) {

@@ -15,9 +15,11 @@ struct ForwardStance {
   double lower = 0.0, upper = 0.0;  ///< where the ZMP may be: the foot's bounds along S's x, taken along H's [m]
 };
 
-/// The pendulum (16) under the smooth tracker, its ZMP inside the bounds: from `now`, at time `t` of `plan`, after `time` [s] > 0.
-PendulumState roll_out(const LinearInvertedPendulum& pendulum, const VelocityProfile& plan, double t, double time,
-                       const PendulumState& now, const ForwardStance& stance);
+/// The pendulum (16) under the smooth tracker, its ZMP inside the bounds: where `state` leads to in `time` [s] > 0.
+/// @param now, then  moments of `plan`, `time` apart
+PendulumState roll_out(const LinearInvertedPendulum& pendulum, const VelocityProfile& plan,
+                       const VelocityProfile::Moment& now, const VelocityProfile::Moment& then, double time,
+                       const PendulumState& state, const ForwardStance& stance);
 
 /// How far the same pendulum moves ahead from a stand until the second foot lifts, where `plan` is walked `scale` times as fast [m].
 ///
@@ -43,6 +45,7 @@ struct PointWalk {
 
   LinearInvertedPendulum pendulum;
   double dt;  ///< [s]
+  LastOver over;
   VelocityTracker tracker;
   GaitGenerator gait;
   GaitInput in;             ///< the state
