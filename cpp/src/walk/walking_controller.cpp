@@ -174,10 +174,11 @@ double WalkingController::crouch_for(double stride) const {
 
 void WalkingController::set_height(double crouch) {
   pendulum_ = LinearInvertedPendulum(com_height_ - crouch, robot_.dynamics().gravity.norm());
-  const double dt = settings_.control_dt, Tc = pendulum_.Tc();
+  const double Tc = pendulum_.Tc();
+  over_dt_ = pendulum_.over(settings_.control_dt);
   for (int i = 0; i < 2; ++i)
     df_dr_[i] = (settings_.feed_forward ? -1.0 / (Tc * Tc) : 0.0) -
-                pd_acceleration(kp_[i], kd_[i], std::cosh(dt / Tc) - 1.0, std::sinh(dt / Tc) / Tc);
+                pd_acceleration(kp_[i], kd_[i], over_dt_.ch - 1.0, over_dt_.sh / Tc);
 }
 
 void WalkingController::move_height(double t, double stretch) {
@@ -346,8 +347,8 @@ const CycleOutput& WalkingController::update(mjData* data, Terms terms) {
   if (Vec3 live; mailbox_.take(live) && live != out_.command) gait_.command(out_.command = live);
   const GaitOutput& gait = gait_.update(in);
   move_height(t, gait.stretch);
-  R_S_ = rotation_z(gait.yaw).topLeftCorner<2, 2>();
-  R_H_ = rotation_z(gait.heading).topLeftCorner<2, 2>();
+  R_S_ = axes_of(gait.ahead_S);
+  R_H_ = axes_of(gait.ahead);
   const auto to_S = [&](const Vec2& p) { return Vec2(R_S_.transpose() * p); };
   x_ = to_S(in.com - gait.origin);
   v_ = to_S(in.dcom);
@@ -375,7 +376,7 @@ const CycleOutput& WalkingController::update(mjData* data, Terms terms) {
   task_accelerations(gait);
   stance_.standing = gait.standing;
   stance_.support = gait.support;
-  stance_.lateral << -std::sin(gait.heading), std::cos(gait.heading), 0.0;
+  stance_.lateral << left_of(gait.ahead), 0.0;
   if (settings_.momentum_arms > 0.0) swing_arms(gait);
   whole_body_.prepare(dyn, stance_, f_star_);
   choose_reference(gait);
@@ -398,7 +399,8 @@ void WalkingController::task_accelerations(const GaitOutput& gait) {
   const auto& [q_ref, dq_ref, ddq_ref] = std::tie(reference_.q(), reference_.dq(), reference_.ddq());
   const auto angle = [&](int i) { return Motion1{q_ref[n + i], dq_ref[n + i], ddq_ref[n + i]}; };
   const Turning trunk = turning(angle(0), angle(1), angle(2));
-  const Mat3 R_WH = rotation_z(gait.heading);
+  Mat3 R_WH = Mat3::Identity();
+  R_WH.topLeftCorner<2, 2>() = R_H_;
   const Vec3 heading_rate(0.0, 0.0, gait.v_plan.z());
   f_star_.trunk = R_WH * trunk.alpha + heading_rate.cross(R_WH * trunk.omega);
   f_star_.trunk += pd_acceleration(s.trunk_kp, s.trunk_kd, orientation_error(R_WH * trunk.R * R_HB_, dyn.R_WB),
@@ -447,9 +449,8 @@ void WalkingController::swing_arms(const GaitOutput& gait) {
 
 WalkingController::Desired WalkingController::desired(const Vec2& r) const {
   Desired c;
-  const double dt = settings_.control_dt;
   for (int i = 0; i < 2; ++i) {
-    const PendulumState next = pendulum_.step(dt, {x_[i], v_[i]}, r[i]);
+    const PendulumState next = pendulum_.step(over_dt_, {x_[i], v_[i]}, r[i]);
     c.x_d[i] = next.x;
     c.v_d[i] = next.v;
     c.f[i] = (settings_.feed_forward ? pendulum_.acceleration(x_[i], r[i]) : 0.0) +

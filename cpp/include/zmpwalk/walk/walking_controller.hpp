@@ -121,6 +121,7 @@ class WalkingController {
   SoleSize sole_;
   WalkSettings settings_;
   LinearInvertedPendulum pendulum_;
+  LinearInvertedPendulum::Over over_dt_;  // a control period
   std::array<ZmpBounds, 2> bounds_;
   GaitGenerator gait_;
   VelocityTracker tracker_;
