@@ -20,7 +20,7 @@ PendulumState rolled(const VelocityProfile& plan, double t, double time, Pendulu
   for (int k = 0; k < kSteps; ++k) {
     const double x = s.x - stance.orbit_middle, faster = plan.velocity(t + k * dt).x() - plan.velocity(t).x();
     const double v_want = stance.orbit.velocity(x) + faster + stance.catch_up + stance.dv_capture;
-    const double a = stance.orbit.acceleration(x) + (v_want - s.v) / stance.tracker_time;
+    const double a = stance.orbit.acceleration(x) + (v_want - s.v) / stance.tracking.time;
     s = pendulum.step(dt, s, std::clamp(pendulum.reference_for(s.x, a), stance.lower, stance.upper));
   }
   return s;
@@ -34,7 +34,7 @@ BOOST_AUTO_TEST_CASE(rolling_out_in_few_pieces_is_the_pendulum_under_the_tracker
        {VelocityProfile({0.0}, {Vec3(0.25, 0, 0)}), VelocityProfile({0.0, 0.3}, {Vec3(0.25, 0, 0), Vec3(0.3, 0, 0)}),
         VelocityProfile({0.0, 1.0}, {Vec3(0.2, 0, 0), Vec3(0.4, 0, 0)}, Interpolation::kLinear)}) {
     const double v = plan.velocity(0.1).x();
-    const ForwardStance stance{ForwardOrbit(pendulum, v, 0.8, 0.08), 0.01, s.tracker_time, 0.01, -0.02, -0.09, 0.09};
+    const ForwardStance stance{ForwardOrbit(pendulum, v, 0.8, 0.08), 0.01, s.tracking.time, 0.01, -0.02, -0.09, 0.09};
     for (const PendulumState& start :
          {PendulumState{-0.05, v}, PendulumState{0.0, 0.7 * v}, PendulumState{-0.1, 1.4 * v}})
       for (const double time : {0.05, 0.3, 0.6}) {
@@ -49,7 +49,7 @@ BOOST_AUTO_TEST_CASE(rolling_out_in_few_pieces_is_the_pendulum_under_the_tracker
 BOOST_AUTO_TEST_CASE(from_a_stand_the_com_goes_as_far_as_a_slow_plan_and_runs_away_from_a_fast_one) {
   const WalkSettings s = resolve(WalkSettings(), kRobot);
   const VelocityProfile plan({0.0}, {Vec3(0.25, 0, 0)});
-  const double planned = 0.25 * (s.T_ds_first + s.T_ss + s.T_ds);
+  const double planned = 0.25 * (s.gait.T_ds_first + s.gait.T_ss + s.gait.T_ds);
   const auto far = [&](double scale) { return start_excursion(s, plan, pendulum, kBounds, 0.0, scale); };
   for (const double scale : {0.0, 0.25, 0.5}) CHECK_NEAR(far(scale), scale * planned, 0.05 * planned);
   BOOST_CHECK_GT(far(2.0),

@@ -11,7 +11,7 @@ FootstepPlanner::FootstepPlanner(const WalkSettings& settings, const VelocityPro
     : settings_(settings),
       plan_(&plan),
       sole_(sole),
-      blend_(1.0 - std::exp(-settings.control_dt / settings.foothold_time)) {}
+      blend_(1.0 - std::exp(-settings.control.dt / settings.steps.filter_time)) {}
 
 void FootstepPlanner::reset(const std::array<Foothold, 2>& feet, double heading) {
   planned_ = feet;
@@ -27,8 +27,8 @@ void FootstepPlanner::advance(double t, const Vec2& com) {
   const VelocityProfile::Moment next = plan_->at(t);
   path_ = path_.moved(plan_->travel(now_, next));
   now_ = next;
-  if (settings_.footsteps != Footsteps::kTied) return;
-  path_.p += ((com - path_.p).dot(path_.ahead) - settings_.com_lead) * path_.ahead;
+  if (settings_.steps.mode != Footsteps::kTied) return;
+  path_.p += ((com - path_.p).dot(path_.ahead) - settings_.com.lead) * path_.ahead;
 }
 
 PlannedStance FootstepPlanner::stance_at(double t_mid, double period) const {
@@ -38,9 +38,9 @@ PlannedStance FootstepPlanner::stance_at(double t_mid, double period) const {
 }
 
 double FootstepPlanner::lead(int n, const PlannedStance& next) const {
-  const std::vector<double>& lengths = settings_.step_lengths;
+  const std::vector<double>& lengths = settings_.steps.lengths;
   if (!lengths.empty()) return lengths[std::min<std::size_t>(n, lengths.size() - 1)];
-  if (settings_.footsteps == Footsteps::kAbsolute) return next.displacement().x();
+  if (settings_.steps.mode == Footsteps::kAbsolute) return next.displacement().x();
   // Half of what the path does in either foot's stance.
   return 0.5 * (next.end.integral.x() - plan_->at(next.t_mid() - next.period).integral.x());
 }
@@ -55,7 +55,7 @@ Vec2 FootstepPlanner::clear(const Foothold& place) const {
   // The stance sole's half width, and how far the corner of a sole turned by `turn` reaches.
   const double apart = 0.5 * (sole_.width + sole_.width * std::cos(turn) + sole_.length * std::sin(turn));
   const Vec2 left = stance_.left();
-  const double gap = side_sign(swing_) * (place.p - stance_.p).dot(left) - apart - settings_.foot_clearance;
+  const double gap = side_sign(swing_) * (place.p - stance_.p).dot(left) - apart - settings_.steps.clearance;
   return gap < 0.0 ? Vec2(place.p - side_sign(swing_) * gap * left) : place.p;
 }
 
@@ -65,8 +65,8 @@ Foothold FootstepPlanner::begin_step(int n, Side swing, const Foothold& stance, 
   closing_ = false;
   const PathPoint plan = planned(swing, next);
   nominal_ = plan;
-  if (settings_.footsteps != Footsteps::kAbsolute || !settings_.step_lengths.empty()) {
-    const PathPoint from(settings_.footsteps == Footsteps::kAbsolute ? planned_[other(swing)] : stance);
+  if (settings_.steps.mode != Footsteps::kAbsolute || !settings_.steps.lengths.empty()) {
+    const PathPoint from(settings_.steps.mode == Footsteps::kAbsolute ? planned_[other(swing)] : stance);
     // Leads are between the middles of the walk that the feet belong to: beside each other, both have the same.
     const double half = 0.5 * side_sign(swing) * width(next.drift());
     const Vec2 apart = plan.beside(-half).p - from.beside(half).p;
@@ -84,24 +84,24 @@ double FootstepPlanner::stretch(const Vec2& landed, Side side, const Vec2& lifti
   const Vec2 moves =
       0.5 * T_ds * (at.mid.v.x() * at.path.ahead + at.mid.v.y() * at.path.left() + sway * over.normalized());
   const auto from_hip = [&](const Vec2& foot, Side of, const Vec2& move) {
-    return (foot - move - at.path.beside(0.5 * side_sign(of) * settings_.step_width).p).norm();
+    return (foot - move - at.path.beside(0.5 * side_sign(of) * settings_.steps.width).p).norm();
   };
   return std::max(from_hip(landed, side, -moves), from_hip(lifting, other(side), moves));
 }
 
 bool FootstepPlanner::close(Side swing, const Foothold& stance, double xi) {
-  const PathPoint beside = PathPoint(stance).beside(side_sign(swing) * settings_.step_width);
+  const PathPoint beside = PathPoint(stance).beside(side_sign(swing) * settings_.steps.width);
   const double aside = (planned(swing, stance_at(now_.t, 0.0)).p - beside.p).dot(path_.left());
   const double missed = std::hypot(xi, aside);
-  closing_ =
-      missed <= settings_.closing_reach && std::abs(wrap_angle(path_.yaw - stance.yaw)) <= settings_.closing_turn;
+  closing_ = missed <= settings_.gait.closing_distance &&
+             std::abs(wrap_angle(path_.yaw - stance.yaw)) <= settings_.gait.closing_turn;
   if (closing_) nominal_ = target_ = beside;
   return closing_;
 }
 
 const Foothold& FootstepPlanner::follow(double ahead_of_plan, double aside, const PathPoint& planned) {
   const Vec2 left = planned.left();
-  const double reach = settings_.foothold_reach;
+  const double reach = settings_.steps.reach;
   const Vec2 off = planned.p + ahead_of_plan * path_.ahead - nominal_.p;
   Foothold wanted = planned;
   wanted.p = nominal_.p + std::clamp(off.dot(planned.ahead), -reach, reach) * planned.ahead +
@@ -112,7 +112,7 @@ const Foothold& FootstepPlanner::follow(double ahead_of_plan, double aside, cons
 }
 
 double FootstepPlanner::mismatch(double duration, const Cadence& cadence) const {
-  if (settings_.step_lengths.empty() || settings_.footsteps == Footsteps::kTied) return 0.0;
+  if (settings_.steps.lengths.empty() || settings_.steps.mode == Footsteps::kTied) return 0.0;
   require_positive("duration", duration);
   const double slow = cadence.slow.period();
   double worst = 0.0, previous = 0.0, t = 0.0;

@@ -16,7 +16,7 @@ std::array<Foothold, 2> feet_of(const GaitInput& in) {
   return {foothold_of(in.p_sole[kLeft], in.R_sole[kLeft]), foothold_of(in.p_sole[kRight], in.R_sole[kRight])};
 }
 
-Side first_swing(const WalkSettings& settings) { return settings.first_swing == "left" ? kLeft : kRight; }
+Side first_swing(const WalkSettings& settings) { return settings.gait.first_swing; }
 
 }  // namespace
 
@@ -36,19 +36,21 @@ Vec2 reference_zmp(const GaitOutput& gait, const LinearInvertedPendulum& pendulu
 GaitGenerator::GaitGenerator(const WalkSettings& settings, const VelocityProfile& profile, const SoleSize& sole,
                              const std::array<ZmpBounds, 2>& bounds)
     : settings_(settings),
-      cadence_{{settings.T_ds, settings.T_ss},
-               settings.cadence_speed,
-               settings.cadence_exponent,
-               settings.cadence_double,
-               {1.0, settings.cadence_sideways, settings.cadence_turning}},
-      limits_{{settings.forward_jump, settings.sideways_jump, settings.turning_jump},
-              {settings.forward_acceleration, settings.sideways_acceleration, settings.turning_acceleration},
-              {settings.forward_deceleration, settings.sideways_acceleration, settings.turning_acceleration}},
-      profile_(settings.rate_limit ? profile.limited(limits_) : profile),
+      cadence_{{settings.gait.T_ds, settings.gait.T_ss},
+               settings.gait.cadence_speed,
+               settings.gait.cadence_exponent,
+               settings.gait.cadence_double,
+               {1.0, settings.gait.cadence_sideways, settings.gait.cadence_turning}},
+      limits_{
+          {settings.rate.forward_jump, settings.rate.sideways_jump, settings.rate.turning_jump},
+          {settings.rate.forward_acceleration, settings.rate.sideways_acceleration, settings.rate.turning_acceleration},
+          {settings.rate.forward_deceleration, settings.rate.sideways_acceleration,
+           settings.rate.turning_acceleration}},
+      profile_(settings.rate.limit ? profile.limited(limits_) : profile),
       plan_(profile_),
-      schedule_(settings.T_ds_first, settings.T_ds, settings.T_ss),
+      schedule_(settings.gait.T_ds_first, settings.gait.T_ds, settings.gait.T_ss),
       footsteps_(settings, plan_, sole),
-      lateral_(settings.lateral_feedback, settings.lateral_reach * 0.5 * sole.width),
+      lateral_(settings.zmp.lateral_feedback, settings.zmp.lateral_shift * 0.5 * sole.width),
       pendulum_(1.0, 1.0),
       bounds_(bounds) {
   plan_.reserve();
@@ -69,7 +71,7 @@ void GaitGenerator::reset(const GaitInput& start, const LinearInvertedPendulum& 
   out_.ahead = footsteps_.path().ahead;
   out_.swing = out_.support = first_swing(settings_);
   lateral_.reset(out_.support);
-  schedule_.begin(0, 0.0, settings_.T_ds_first, cadence_.slow);
+  schedule_.begin(0, 0.0, settings_.gait.T_ds_first, cadence_.slow);
   out_.at_rest = true;  // until the first cycle finds that the plan moves
   out_.origin = start.p_sole[out_.support].head<2>();
   out_.yaw = yaw_of(start.R_sole[out_.support]);
@@ -110,7 +112,7 @@ void GaitGenerator::begin_walk(const GaitInput& in) {
   lateral_.reset(out_.swing);
   footsteps_.restart(feet_of(in));
   const bool slow = times.period() == cadence_.slow.period();
-  const double T_ds = slow ? settings_.T_ds_first : pendulum_.first_double_support(times.period(), times.T_ss);
+  const double T_ds = slow ? settings_.gait.T_ds_first : pendulum_.first_double_support(times.period(), times.T_ss);
   schedule_.begin(out_.phase.step, in.t, T_ds, times);
 }
 
@@ -124,7 +126,8 @@ bool GaitGenerator::begin_phase(const GaitInput& in) {
   bool began = false;
   if (out_.at_rest) {
     // The first step lifts when the plan moves, and half of its double support has gone by.
-    if (settings_.stand && plan_.at_rest(in.t, in.t + 0.5 * settings_.T_ds_first) && can_stand(in)) return false;
+    if (settings_.gait.stand && plan_.at_rest(in.t, in.t + 0.5 * settings_.gait.T_ds_first) && can_stand(in))
+      return false;
     begin_walk(in);
     began = true;
   } else if (schedule_.landed(in.t)) {
@@ -149,9 +152,10 @@ const GaitOutput& GaitGenerator::update(const GaitInput& in) {
   if (out_.phase.phase == Phase::kDoubleSupport) return out_;
   if (lifted_) {
     const double z_land = std::isnan(in.ground) ? in.p_sole[other(out_.swing)].z() : in.ground;
-    swing_foot_.begin(in.p_sole[out_.swing], in.R_sole[out_.swing], out_.phase.duration, z_land, settings_.step_height);
+    swing_foot_.begin(in.p_sole[out_.swing], in.R_sole[out_.swing], out_.phase.duration, z_land,
+                      settings_.swing.height);
   }
-  out_.swing_target = swing_foot_.update(out_.phase.time, settings_.control_dt, out_.foothold);
+  out_.swing_target = swing_foot_.update(out_.phase.time, settings_.control.dt, out_.foothold);
   return out_;
 }
 
@@ -169,7 +173,7 @@ const GaitOutput& GaitGenerator::update_steps(const GaitInput& in) {
   lifted_ = false;
   out_.stretch = 0.0;
   if (out_.at_rest) {
-    const double since = began ? 0.0 : out_.phase.time + settings_.control_dt;
+    const double since = began ? 0.0 : out_.phase.time + settings_.control.dt;
     out_.phase = {Phase::kDoubleSupport, out_.phase.step, since, since, kNaN, kNaN};
   } else {
     const bool was_single = out_.phase.phase == Phase::kSingleSupport && !began;
@@ -192,7 +196,7 @@ const GaitOutput& GaitGenerator::update_steps(const GaitInput& in) {
     // The ZMP leads the DCM back to the middle between the feet.
     const Vec2 middle = 0.5 * (in.p_sole[kLeft] + in.p_sole[kRight]).head<2>();
     const Vec2 xi = in.com + pendulum_.Tc() * in.dcom;
-    out_.zmp_rest = xi + settings_.stand_gain * (xi - middle);
+    out_.zmp_rest = xi + settings_.gait.stand_gain * (xi - middle);
     out_.orbit_ahead = out_.dv_capture = 0.0;
   } else {
     move_ahead(in);
@@ -206,18 +210,18 @@ ZmpBounds GaitGenerator::sole_room(const Vec3& velocity) const {
   ZmpBounds out = bounds_[out_.support];
   const double pace = cadence_.pace(velocity);
   if (pace == 1.0) return out;
-  const double share = std::pow(pace, settings_.sole_exponent);
+  const double share = std::pow(pace, settings_.zmp.sole_exponent);
   out.lower.x() *= share;
   out.upper.x() *= share;
   return out;
 }
 
 void GaitGenerator::move_ahead(const GaitInput& in) {
-  const double period = schedule_.times().period(), half = 0.5 * period, dt = settings_.control_dt;
+  const double period = schedule_.times().period(), half = 0.5 * period, dt = settings_.control.dt;
   const bool awaits = before_switch();
   const double since_middle = awaits ? half - 0.5 * out_.phase.duration + out_.phase.time : -out_.phase.to_mid_single;
   take_orbit(out_.orbit, sole_room_, out_.v_plan.x(), period);
-  out_.orbit_middle = settings_.com_lead;
+  out_.orbit_middle = settings_.com.lead;
   out_.orbit_ahead = out_.orbit.ahead(std::clamp(since_middle, -half, half));
   const double time = awaits ? std::max(0.5 * out_.phase.duration - out_.phase.time, dt) : out_.phase.to_mid_double;
   next_ = footsteps_.stance_at(in.t + time, awaits ? period : period_);
@@ -225,7 +229,7 @@ void GaitGenerator::move_ahead(const GaitInput& in) {
 }
 
 void GaitGenerator::take_orbit(ForwardOrbit& orbit, const ZmpBounds& sole, double v, double period, bool end) const {
-  const double middle = settings_.com_lead, ahead = sole.upper.x() - middle, behind = middle - sole.lower.x();
+  const double middle = settings_.com.lead, ahead = sole.upper.x() - middle, behind = middle - sole.lower.x();
   const double roll = end ? (v < 0.0 ? behind : ahead) : std::max(ahead, behind);
   if (!orbit.is_for(pendulum_, v, period, roll)) orbit = {pendulum_, v, period, roll};
 }
@@ -241,32 +245,32 @@ void GaitGenerator::capture(const GaitInput& in, double time) {
   const double v_mean = length / period;
   take_orbit(next_orbit_, sole_room({v_mean, 0.0, 0.0}), v_mean, period, true);
   v_start_ = next_orbit_.end_velocity();
-  xi_start_ = settings_.com_lead - 0.5 * length + pendulum_.Tc() * v_start_;
-  const ForwardStance stance{out_.orbit,      out_.orbit_middle,   settings_.tracker_time, in.catch_up,
+  xi_start_ = settings_.com.lead - 0.5 * length + pendulum_.Tc() * v_start_;
+  const ForwardStance stance{out_.orbit,      out_.orbit_middle,   settings_.tracking.time, in.catch_up,
                              out_.dv_capture, out_.room.lower.x(), out_.room.upper.x()};
   const PendulumState state{(in.com - out_.origin).dot(out_.ahead), in.dcom.dot(out_.ahead)};
   const PendulumState then = roll_out(pendulum_, plan_, footsteps_.now(), next_.mid, time, state, stance);
   xi_next_ = pendulum_.dcm(then);
   v_next_ = then.v;
-  if (settings_.footsteps != Footsteps::kTied) return;
+  if (settings_.steps.mode != Footsteps::kTied) return;
   // One step of Newton's a cycle: a COM faster by dv is dv time further then, and its DCM dv (time + T_c).
   const bool decided = out_.phase.phase == Phase::kSingleSupport &&
-                       (closing_ || out_.phase.time > settings_.foothold_freeze * out_.phase.duration);
+                       (closing_ || out_.phase.time > settings_.steps.freeze * out_.phase.duration);
   const double foot = before_switch() ? (in.p_sole[other(out_.support)].head<2>() - out_.origin).dot(out_.ahead)
                       : decided       ? (footsteps_.target().p - out_.origin).dot(out_.ahead)
                                       : footsteps_.lead(out_.phase.step, next_);
-  const double planned = foot + xi_start_, reach = settings_.capture_reach;
+  const double planned = foot + xi_start_, reach = settings_.steps.capture_distance;
   const double alone = xi_next_ - slope * out_.dv_capture;
   const double dv = out_.dv_capture + (std::clamp(alone, planned - reach, planned + reach) - xi_next_) / slope;
-  out_.dv_capture = std::clamp(dv, -settings_.capture_speed, settings_.capture_speed);
+  out_.dv_capture = std::clamp(dv, -settings_.steps.capture_speed, settings_.steps.capture_speed);
 }
 
 double GaitGenerator::ahead_of_plan(const GaitInput& in) const {
   const double to_middle = (next_.mid.integral - footsteps_.now().integral).x();
   const double planned =
-      (in.com - out_.origin).dot(out_.ahead) + to_middle + 0.5 * next_.displacement().x() - settings_.com_lead;
+      (in.com - out_.origin).dot(out_.ahead) + to_middle + 0.5 * next_.displacement().x() - settings_.com.lead;
   // An excess speed, up to this, is left to the ZMP over that foot: taken up by the foothold, a long step would make the next one short.
-  const double excess = pendulum_.Tc() * (v_next_ - v_start_), give = settings_.foothold_give;
+  const double excess = pendulum_.Tc() * (v_next_ - v_start_), give = settings_.steps.give;
   return xi_next_ - xi_start_ - planned - std::clamp(excess, give * out_.room.lower.x(), give * out_.room.upper.x());
 }
 
@@ -292,7 +296,7 @@ void GaitGenerator::move_sideways(const GaitInput& in) {
   const double Tc = pendulum_.Tc();
   const PendulumState y{(in.com - out_.origin).dot(left_of(out_.ahead)), in.dcom.dot(left_of(out_.ahead))};
   if (before_switch()) {
-    const double dt = settings_.control_dt, period = schedule_.times().period();
+    const double dt = settings_.control.dt, period = schedule_.times().period();
     const bool last = out_.phase.time + 1.5 * dt >= out_.phase.duration;
     const double w_orbit = pendulum_.orbit_velocity(plan_.displacement(in.t, in.t + period).y(), period);
     out_.w_T = lateral_.check_switch(pendulum_, y, 0.0, across(in.p_sole[other(out_.support)]),
@@ -318,7 +322,7 @@ void GaitGenerator::move_sideways(const GaitInput& in) {
       const Side stance = other(out_.swing);
       const Foothold foot = foothold_of(in.p_sole[stance], in.R_sole[stance]);
       footsteps_.begin_step(out_.phase.step, out_.swing, foot, next_);
-      closing_ = settings_.stand && plan_.at_rest(in.t, schedule_.touch_down() + schedule_.times().T_ds) &&
+      closing_ = settings_.gait.stand && plan_.at_rest(in.t, schedule_.touch_down() + schedule_.times().T_ds) &&
                  footsteps_.close(out_.swing, foot, xi_next_);
     }
     if (footsteps_.follows(out_.phase.time / out_.phase.duration)) {

@@ -11,7 +11,7 @@ WalkPlan plan_walk(const WalkSettings& given, const VelocityProfile& profile, co
                    const std::array<ZmpBounds, 2>& bounds, const SoleSize& sole, const GaitInput& start,
                    double duration) {
   require_positive("duration", duration);
-  const double dt = given.control_dt;
+  const double dt = given.control.dt;
   const auto count = static_cast<std::size_t>(std::ceil(duration / dt - 1e-9));
   WalkPlan plan;
   plan.t.reserve(count);
@@ -20,7 +20,7 @@ WalkPlan plan_walk(const WalkSettings& given, const VelocityProfile& profile, co
   plan.zmp.reserve(count);
   plan.support.reserve(count);
   WalkSettings settings = given;
-  settings.lateral_feedback = true;
+  settings.zmp.lateral_feedback = true;
   PointWalk walk(settings, profile, pendulum, bounds, sole, start);
   bool swinging = false;
   for (std::size_t k = 0; k < count; ++k) {

@@ -13,7 +13,7 @@ PendulumState roll_out(const LinearInvertedPendulum& pendulum, const VelocityPro
   // Eq. (16) in pieces, by the DCM and its mirror image x - T_c v: each leaves, or nears, the ZMP exponentially.
   constexpr int kPieces = 16;
   const double Tc = pendulum.Tc(), dt = time / kPieces, grow = std::exp(dt / Tc);
-  const double share = -std::expm1(-dt / stance.tracker_time) / dt;  // of a speed error, in a piece [1/s]
+  const double share = -std::expm1(-dt / stance.tracking.time) / dt;  // of a speed error, in a piece [1/s]
   double xi = state.x + Tc * state.v, mirror = state.x - Tc * state.v;
   const bool smooth = now.segment == then.segment;
   const double v_now = now.v.x(), slope = smooth ? (then.v.x() - v_now) / time : 0.0;
@@ -35,11 +35,12 @@ PendulumState roll_out(const LinearInvertedPendulum& pendulum, const VelocityPro
 
 double start_excursion(const WalkSettings& settings, const VelocityProfile& plan,
                        const LinearInvertedPendulum& pendulum, const ZmpBounds& bounds, double x_0, double scale) {
-  const double dt = settings.control_dt, period = settings.T_ds + settings.T_ss;
-  const double t_end = settings.T_ds_first + period, t_switch = t_end - 0.5 * settings.T_ds;
+  const double dt = settings.control.dt, period = settings.gait.T_ds + settings.gait.T_ss;
+  const double t_end = settings.gait.T_ds_first + period, t_switch = t_end - 0.5 * settings.gait.T_ds;
   const double foothold =
       scale * (plan.displacement(0.0, t_switch) + 0.5 * plan.displacement(t_switch, t_switch + period)).x();
-  VelocityTracker tracker(TrackerLaw::kSmooth, settings.tracker_gain, settings.tracker_time, settings.tracker_deadband);
+  VelocityTracker tracker(TrackerLaw::kSmooth, settings.tracking.gain, settings.tracking.time,
+                          settings.tracking.deadband);
   PendulumState s{x_0, 0.0};
   for (double t = 0.0; t < t_end; t += dt) {
     const double v_plan = scale * plan.velocity(t).x(), foot = t < t_switch ? 0.0 : foothold;
@@ -54,9 +55,9 @@ PointWalk::PointWalk(const WalkSettings& settings, const VelocityProfile& profil
                      const LinearInvertedPendulum& of_robot, const std::array<ZmpBounds, 2>& bounds,
                      const SoleSize& sole, const GaitInput& start)
     : pendulum(of_robot),
-      dt(settings.control_dt),
-      tracker(TrackerLaw::kSmooth, settings.tracker_gain, settings.tracker_time, settings.tracker_deadband,
-              settings.tracker_reach),
+      dt(settings.control.dt),
+      tracker(TrackerLaw::kSmooth, settings.tracking.gain, settings.tracking.time, settings.tracking.deadband,
+              settings.tracking.catch_up_speed),
       gait(settings, profile, sole, bounds),
       in(start) {
   gait.reset(in, pendulum);

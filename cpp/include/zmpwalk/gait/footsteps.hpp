@@ -6,7 +6,7 @@
 #include "zmpwalk/gait/schedule.hpp"
 #include "zmpwalk/gait/velocity_profile.hpp"
 #include "zmpwalk/math/types.hpp"
-#include "zmpwalk/settings.hpp"
+#include "zmpwalk/settings/settings.hpp"
 
 namespace zmpwalk {
 
@@ -58,7 +58,7 @@ struct PlannedStance {
   double t_mid() const { return mid.t; }  ///< [s]
   Vec3 displacement() const {
     return end.integral - mid.integral;
-  }                                                    ///< in the period, along the heading (3,) [m, m, rad]
+  }  ///< in the period, along the heading (3,) [m, m, rad]
   double drift() const { return displacement().y(); }  ///< lateral displacement of the path [m]
 };
 
@@ -98,7 +98,7 @@ class FootstepPlanner {
   /// Where the plan has foot `swing` when it is the one that stands in the period of `next`.
   PathPoint planned(Side swing, const PlannedStance& next) const;
   /// Lateral distance of feet in an orbit that drifts by `drift` a step [m]: the narrower step has step_width.
-  double width(double drift) const { return settings_.step_width + std::abs(drift); }
+  double width(double drift) const { return settings_.steps.width + std::abs(drift); }
 
   /// Nominal foothold of step n, taken when the foot lifts. @param stance measured stance foot
   Foothold begin_step(int n, Side swing, const Foothold& stance, const PlannedStance& next);
@@ -108,7 +108,7 @@ class FootstepPlanner {
 
   /// Whether the foothold still follows the COM: tied to it, after this share of the single support.
   bool follows(double share) const {
-    return !closing_ && settings_.footsteps == Footsteps::kTied && share <= settings_.foothold_freeze;
+    return !closing_ && settings_.steps.mode == Footsteps::kTied && share <= settings_.steps.freeze;
   }
   /// Foothold for this cycle, where it `follows` the COM.
   ///
