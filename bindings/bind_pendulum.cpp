@@ -33,12 +33,14 @@ void bind_pendulum(py::module_& m) {
       .def(
           "dcm", [](const LinearInvertedPendulum& p, double x, double v) { return p.dcm({x, v}); }, "x"_a, "v"_a,
           "x + T_c v [m].")
-      .def("reference_to_reach", &LinearInvertedPendulum::reference_to_reach, "xi"_a, "xi_end"_a, "time"_a,
-           "Constant reference ZMP that brings the DCM from xi to xi_end in time [s].")
-      .def("orbit_inset", &LinearInvertedPendulum::orbit_inset, "width"_a, "period"_a,
+      .def("reference_to_reach",
+           py::overload_cast<double, double, double>(&LinearInvertedPendulum::reference_to_reach, py::const_), "xi"_a,
+           "xi_end"_a, "time"_a, "Constant reference ZMP that brings the DCM from xi to xi_end in time [s].")
+      .def("orbit_inset", py::overload_cast<double, double>(&LinearInvertedPendulum::orbit_inset, py::const_),
+           "width"_a, "period"_a,
            "How far the lateral orbit's DCM, half way between the feet, lies inside the foot to come [m].")
-      .def("orbit_offset", &LinearInvertedPendulum::orbit_offset, "drift"_a, "period"_a,
-           "And along a drift of the feet's middle by `drift` a step [m].")
+      .def("orbit_offset", py::overload_cast<double, double>(&LinearInvertedPendulum::orbit_offset, py::const_),
+           "drift"_a, "period"_a, "And along a drift of the feet's middle by `drift` a step [m].")
       .def("orbit_velocity", &LinearInvertedPendulum::orbit_velocity, "drift"_a, "period"_a,
            "Velocity of that orbit in the middle of a single support [m/s].")
       .def("first_double_support", &LinearInvertedPendulum::first_double_support, "period"_a, "T_ss"_a,

@@ -14,12 +14,12 @@ const LinearInvertedPendulum pendulum(0.747, 9.81);
 const double Tc = pendulum.Tc();
 
 struct Walk {
-  double v, period, reach;
+  double v, period, roll;
   double half() const { return 0.5 * v * period; }  // L/2
-  ForwardOrbit orbit() const { return {pendulum, v, period, reach}; }
+  ForwardOrbit orbit() const { return {pendulum, v, period, roll}; }
 };
 
-/// Steps longer than the ZMP's travel, ahead and back, slow and fast, with much reach and with none.
+/// Steps longer than the ZMP's travel, ahead and back, slow and fast, with much roll and with none.
 std::vector<Walk> long_steps() {
   std::vector<Walk> out;
   for (const double period : {0.35, 0.8, 1.1})
@@ -29,9 +29,9 @@ std::vector<Walk> long_steps() {
   return out;
 }
 
-/// x'' = (x - r) / T_c^2, its ZMP under the COM as far as `reach`, over `time` by Runge and Kutta.
-PendulumState roll(PendulumState s, double reach, double time) {
-  const auto a = [&](double x) { return pendulum.acceleration(x, std::clamp(x, -reach, reach)); };
+/// x'' = (x - r) / T_c^2, its ZMP under the COM as far as `roll`, over `time` by Runge and Kutta.
+PendulumState moved(PendulumState s, double roll, double time) {
+  const auto a = [&](double x) { return pendulum.acceleration(x, std::clamp(x, -roll, roll)); };
   constexpr int kSteps = 4000;
   const double h = time / kSteps;
   for (int i = 0; i < kSteps; ++i) {
@@ -57,8 +57,8 @@ BOOST_AUTO_TEST_CASE(steps_within_the_reach_are_walked_at_one_speed) {
 }
 
 BOOST_AUTO_TEST_CASE(who_stands_has_no_orbit_whatever_the_reach) {
-  for (const double reach : {-0.01, 0.0, 0.09}) {
-    const ForwardOrbit orbit(pendulum, 0.0, 0.8, reach);
+  for (const double roll : {-0.01, 0.0, 0.09}) {
+    const ForwardOrbit orbit(pendulum, 0.0, 0.8, roll);
     for (const double x : {-0.1, 0.0, 0.1}) {
       BOOST_CHECK_EQUAL(orbit.velocity(x), 0.0);
       BOOST_CHECK_EQUAL(orbit.acceleration(x), 0.0);
@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(who_stands_has_no_orbit_whatever_the_reach) {
 BOOST_AUTO_TEST_CASE(pendulum_from_the_middle_is_half_a_step_on_half_a_period_later_with_the_end_velocity) {
   for (const Walk& walk : long_steps()) {
     const ForwardOrbit orbit = walk.orbit();
-    const PendulumState end = roll({0.0, orbit.velocity(0.0)}, walk.reach, 0.5 * walk.period);
+    const PendulumState end = moved({0.0, orbit.velocity(0.0)}, walk.roll, 0.5 * walk.period);
     CHECK_NEAR(end.x, walk.half(), 1e-8);
     CHECK_NEAR(end.v, orbit.end_velocity(), 1e-7);
     BOOST_CHECK_GT(std::abs(end.v), std::abs(walk.v));  // it falls from slow to fast
@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(acceleration_is_what_the_velocity_gains_on_its_way) {
       const double x = share * walk.half(), a = orbit.acceleration(x);
       const double dv_dx = (orbit.velocity(x + h) - orbit.velocity(x - h)) / (2 * h);
       CHECK_NEAR(orbit.velocity(x) * dv_dx, a, 1e-5);
-      CHECK_NEAR(a, pendulum.acceleration(x, std::clamp(x, -walk.reach, walk.reach)), 1e-13);
+      CHECK_NEAR(a, pendulum.acceleration(x, std::clamp(x, -walk.roll, walk.roll)), 1e-13);
     }
   }
 }
@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(ahead_is_where_the_pendulum_is_beyond_steady_motion_and_not
     const ForwardOrbit orbit = walk.orbit();
     for (const double share : {-0.95, -0.5, -0.1, 0.2, 0.6, 0.9}) {
       const double t = 0.5 * share * walk.period;
-      const PendulumState then = roll({0.0, orbit.velocity(0.0)}, walk.reach, t);
+      const PendulumState then = moved({0.0, orbit.velocity(0.0)}, walk.roll, t);
       CHECK_NEAR(orbit.ahead(t), then.x - walk.v * t, 1e-8);
       CHECK_NEAR(orbit.ahead(-t), -orbit.ahead(t), 0.0);
       BOOST_CHECK_LT(orbit.ahead(t) * t * walk.v, 0.0);  // slow over the foot: behind after the middle, ahead before it
@@ -118,7 +118,7 @@ BOOST_AUTO_TEST_CASE(ahead_is_where_the_pendulum_is_beyond_steady_motion_and_not
 
 BOOST_AUTO_TEST_CASE(backward_walking_is_the_mirror_image) {
   for (const Walk& walk : long_steps()) {
-    const ForwardOrbit ahead = walk.orbit(), back(pendulum, -walk.v, walk.period, walk.reach);
+    const ForwardOrbit ahead = walk.orbit(), back(pendulum, -walk.v, walk.period, walk.roll);
     CHECK_NEAR(back.end_velocity(), -ahead.end_velocity(), 0.0);
     for (const double x : {-0.4, -0.1, -0.02, 0.0, 0.005, 0.05, 0.2}) {
       CHECK_NEAR(back.velocity(-x), -ahead.velocity(x), 0.0);
@@ -139,9 +139,9 @@ BOOST_AUTO_TEST_CASE(beyond_half_a_step_it_is_as_there) {
 
 BOOST_AUTO_TEST_CASE(without_reach_it_is_the_pendulum_about_one_point) {
   // x = T_c v_0 sinh(t / T_c): v_0 and v_s in closed form.
-  for (const double reach : {-0.05, 0.0}) {
+  for (const double roll : {-0.05, 0.0}) {
     const double half = 0.24, theta = 0.4 / Tc;
-    const ForwardOrbit orbit(pendulum, 0.6, 0.8, reach);
+    const ForwardOrbit orbit(pendulum, 0.6, 0.8, roll);
     CHECK_NEAR(orbit.velocity(0.0), half / (Tc * std::sinh(theta)), 1e-9);
     CHECK_NEAR(orbit.end_velocity(), half / (Tc * std::tanh(theta)), 1e-9);
     CHECK_NEAR(orbit.velocity(0.1), std::hypot(half / (Tc * std::sinh(theta)), 0.1 / Tc), 1e-9);
@@ -158,4 +158,14 @@ BOOST_AUTO_TEST_CASE(end_velocity_does_not_jump_where_steps_outgrow_the_reach) {
     before = now;
   }
   CHECK_NEAR(ForwardOrbit(pendulum, 0.225 * (1 + 1e-9), 0.8, 0.09).end_velocity(), 0.225, 1e-8);
+}
+
+BOOST_AUTO_TEST_CASE(an_orbit_is_for_the_numbers_it_was_made_of_and_for_no_others) {
+  const ForwardOrbit orbit(pendulum, 0.6, 0.8, 0.09);
+  BOOST_CHECK(orbit.is_for(pendulum, 0.6, 0.8, 0.09));
+  BOOST_CHECK(!orbit.is_for(pendulum, 0.61, 0.8, 0.09) && !orbit.is_for(pendulum, 0.6, 0.81, 0.09));
+  BOOST_CHECK(!orbit.is_for(pendulum, 0.6, 0.8, 0.08));
+  BOOST_CHECK(!orbit.is_for(LinearInvertedPendulum(0.746, 9.81), 0.6, 0.8, 0.09));
+  BOOST_CHECK(ForwardOrbit(pendulum, 0.6, 0.8, -0.01).is_for(pendulum, 0.6, 0.8, -0.02));
+  BOOST_CHECK(!ForwardOrbit().is_for(pendulum, 0.0, 0.8, 0.0));
 }

@@ -2,8 +2,8 @@
 #include <vector>
 
 #include "testing.hpp"
-#include "zmpwalk/gait/gait_generator.hpp"
 #include "zmpwalk/gait/plan.hpp"
+#include "zmpwalk/gait/point_walk.hpp"
 #include "zmpwalk/math/error.hpp"
 #include "zmpwalk/math/rotation.hpp"
 
@@ -19,40 +19,19 @@ const VelocityProfile kAhead({0.0}, {Vec3(0.2, 0, 0)});
 
 WalkSettings settings(const std::string& law = "default") { return resolve(WalkSettings(law), kRobot); }
 
-/// A point mass on a pendulum, walked by the gait and the smooth tracker. `yaw` turns the whole scene.
-struct PointWalk {
-  explicit PointWalk(const WalkSettings& s, double yaw = 0.0, const VelocityProfile& profile = kAhead)
-      : pendulum(kRobot.com_height, kRobot.gravity),
-        dt(s.control.dt),
-        R(rotation_z(yaw)),
-        tracker(TrackerLaw::kSmooth, s.tracking.gain, s.tracking.time, s.tracking.deadband, s.tracking.catch_up_speed),
-        gait(s, profile, kSole, {kBounds, kBounds}) {
-    in.p_sole = {R * Vec3(0, 0.11, 0), R * Vec3(0, -0.11, 0)};
-    in.R_sole = {R, R};
-    gait.reset(in, pendulum);
-  }
-  const GaitOutput& step() {
-    in.catch_up = tracker.catch_up(gait.output().orbit_ahead);
-    const GaitOutput& out = gait.update(in);
-    const Mat2 R_S = rotation_z(out.yaw).topLeftCorner<2, 2>();
-    const Vec2 wanted = reference_zmp(out, pendulum, tracker, in.com, in.dcom);
-    zmp = out.origin + R_S * out.room.clamp(R_S.transpose() * (wanted - out.origin));
-    for (int i = 0; i < 2; ++i) {
-      const PendulumState s = pendulum.step(dt, {in.com[i], in.dcom[i]}, zmp[i]);
-      in.com[i] = s.x;
-      in.dcom[i] = s.v;
-    }
-    if (out.at_rest)
-      tracker.reset();
-    else
-      tracker.advance(in.dcom.dot(ahead_of(out.heading)), out.v_plan.x(), dt);
-    in.t += dt;
-    if (out.phase.phase == Phase::kSingleSupport) {
-      in.p_sole[out.swing] = out.swing_target.p;
-      in.R_sole[out.swing] = out.swing_target.R;
-    }
-    return out;
-  }
+GaitInput stand(const Mat3& R) {
+  GaitInput in;
+  in.p_sole = {R * Vec3(0, 0.11, 0), R * Vec3(0, -0.11, 0)};
+  in.R_sole = {R, R};
+  return in;
+}
+
+/// A walk of a point mass, and what the tests ask of it. `yaw` turns the whole scene.
+struct TestWalk : PointWalk {
+  explicit TestWalk(const WalkSettings& s, double yaw = 0.0, const VelocityProfile& profile = kAhead)
+      : PointWalk(s, profile, LinearInvertedPendulum(kRobot.com_height, kRobot.gravity), {kBounds, kBounds}, kSole,
+                  stand(rotation_z(yaw))),
+        R(rotation_z(yaw)) {}
   Vec2 middle() const { return 0.5 * (in.p_sole[kLeft] + in.p_sole[kRight]).head<2>(); }
   double x(const Vec2& p) const { return p.dot(ahead_of(gait.output().heading)); }  ///< along the walk
   double lead() const { return std::abs(x((in.p_sole[kLeft] - in.p_sole[kRight]).head<2>())); }
@@ -61,24 +40,18 @@ struct PointWalk {
     while (in.t < t) step();
   }
 
-  LinearInvertedPendulum pendulum;
-  double dt;
   Mat3 R;
-  VelocityTracker tracker;
-  GaitGenerator gait;
-  GaitInput in;
-  Vec2 zmp;
 };
 
 constexpr double kRounding = 1e-12;  // of dv_capture that came back to zero [m/s]
 
 VelocityProfile steady(double v) { return VelocityProfile({0.0}, {Vec3(v, 0, 0)}); }
 
-double period_of(const PointWalk& walk, double v) { return walk.gait.cadence().times(Vec3(v, 0, 0)).period(); }
+double period_of(const TestWalk& walk, double v) { return walk.gait.cadence().times(Vec3(v, 0, 0)).period(); }
 
 /// Walks at `v` until 20 s, then for 10 steps more, which are as long as v asks for, at that speed, and need no capture.
 void settles(double v, double lead_tolerance, double speed_tolerance) {
-  PointWalk walk(settings(), 0.0, steady(v));
+  TestWalk walk(settings(), 0.0, steady(v));
   const double L = std::abs(v) * period_of(walk, v);
   walk.run_until(20.0);
   double x_start = kNaN, t_start = kNaN, off = 0.0, capture = 0.0;
@@ -103,7 +76,7 @@ void settles(double v, double lead_tolerance, double speed_tolerance) {
 }
 
 /// How far from the stance foot the DCM of a steady walk at `v` comes, before the next foot takes over [m].
-double steady_dcm(const WalkSettings& s, const PointWalk& walk, double v) {
+double steady_dcm(const WalkSettings& s, const TestWalk& walk, double v) {
   const double T = period_of(walk, v), pace = walk.gait.cadence().pace(Vec3(v, 0, 0));
   const double reach = kBounds.upper.x() * std::pow(pace, s.zmp.sole_exponent) - s.com.lead;
   return s.com.lead + 0.5 * v * T + walk.pendulum.Tc() * ForwardOrbit(walk.pendulum, v, T, reach).end_velocity();
@@ -119,7 +92,7 @@ Jump jump(const WalkSettings& s, double v, double dv) {
   Jump out;
   const double slow = s.gait.T_ds + s.gait.T_ss;
   for (int k = 0; k < 8; ++k) {
-    PointWalk walk(s, 0.0, steady(v));
+    TestWalk walk(s, 0.0, steady(v));
     walk.run_until(6.0 + 0.25 * k * period_of(walk, v));
     walk.gait.command({v + dv, 0, 0});
     const double t = walk.in.t, most = steady_dcm(s, walk, std::max(std::abs(v), std::abs(v + dv)));
@@ -136,7 +109,7 @@ Jump jump(const WalkSettings& s, double v, double dv) {
 }
 
 /// When support switched, in each double support [s since it began].
-std::vector<double> switch_times(PointWalk& walk, double duration) {
+std::vector<double> switch_times(TestWalk& walk, double duration) {
   std::vector<double> times;
   Side support = kRight;
   while (walk.in.t < duration) {
@@ -282,7 +255,7 @@ BOOST_AUTO_TEST_CASE(swing_foot_follows_one_cubic_while_the_foothold_stands) {
 
 BOOST_AUTO_TEST_CASE(swing_foot_lands_at_the_height_of_the_ground_where_it_is_known_and_of_the_stance_sole_elsewhere) {
   for (const double ground : {0.0, 0.02, kNaN}) {
-    PointWalk walk(settings());
+    TestWalk walk(settings());
     for (Vec3& sole : walk.in.p_sole) sole.z() = -0.001;  // sunk into a soft contact
     walk.in.ground = ground;
     double landed = kNaN;
@@ -298,7 +271,7 @@ BOOST_AUTO_TEST_CASE(support_switches_once_in_each_double_support_to_the_foot_th
   for (const Side first : kSides) {
     WalkSettings s = settings();
     s.gait.first_swing = first;
-    PointWalk walk(s);
+    TestWalk walk(s);
     Side support = first;
     int switches = 0, step = 0;
     while (walk.in.t < 8.0) {
@@ -324,7 +297,7 @@ BOOST_AUTO_TEST_CASE(support_switches_once_in_each_double_support_to_the_foot_th
 }
 
 BOOST_AUTO_TEST_CASE(first_switch_is_where_the_expected_velocity_18_is_zero) {
-  PointWalk walk(settings("paper"));
+  TestWalk walk(settings("paper"));
   double last = 0.0, change = 0.0;
   while (true) {
     const GaitOutput& out = walk.step();
@@ -337,7 +310,7 @@ BOOST_AUTO_TEST_CASE(first_switch_is_where_the_expected_velocity_18_is_zero) {
 }
 
 BOOST_AUTO_TEST_CASE(lateral_feedback_settles_on_one_switch_time_in_mid_double_support) {
-  PointWalk walk(settings());
+  TestWalk walk(settings());
   const std::vector<double> times = switch_times(walk, 20.0);
   BOOST_REQUIRE_GE(times.size(), 20U);
   for (std::size_t n = 5; n < times.size(); ++n) CHECK_NEAR(times[n], 0.08, 1.001e-3);
@@ -346,7 +319,7 @@ BOOST_AUTO_TEST_CASE(lateral_feedback_settles_on_one_switch_time_in_mid_double_s
 BOOST_AUTO_TEST_CASE(lateral_feedback_repairs_a_start_of_the_wrong_length) {
   WalkSettings s = settings();
   s.gait.T_ds_first = 0.16;
-  PointWalk walk(s);
+  TestWalk walk(s);
   const std::vector<double> times = switch_times(walk, 20.0);
   BOOST_REQUIRE_GE(times.size(), 20U);
   CHECK_NEAR(times.front(), 0.0,
@@ -355,7 +328,7 @@ BOOST_AUTO_TEST_CASE(lateral_feedback_repairs_a_start_of_the_wrong_length) {
 }
 
 BOOST_AUTO_TEST_CASE(gait_walks_alike_in_every_direction) {
-  PointWalk ahead(settings()), turned(settings(), 2.0);
+  TestWalk ahead(settings()), turned(settings(), 2.0);
   const Mat2 R = turned.R.topLeftCorner<2, 2>();
   while (ahead.in.t < 4.0) {
     const GaitOutput &a = ahead.step(), &b = turned.step();
@@ -368,7 +341,7 @@ BOOST_AUTO_TEST_CASE(gait_walks_alike_in_every_direction) {
 }
 
 BOOST_AUTO_TEST_CASE(feet_tied_to_the_com_keep_up_with_it_and_their_width) {
-  PointWalk walk(settings());
+  TestWalk walk(settings());
   while (walk.in.t < 12.0) walk.step();
   const Vec2 mid = 0.5 * (walk.in.p_sole[kLeft] + walk.in.p_sole[kRight]).head<2>();
   BOOST_CHECK_LE(std::abs(walk.in.com.x() - mid.x()), 0.1);
@@ -380,7 +353,7 @@ BOOST_AUTO_TEST_CASE(walks_everywhere_stops_with_feet_side_by_side_and_starts_ag
   for (const Vec3& v : {Vec3(0.2, 0, 0), Vec3(0.5, 0, 0), Vec3(-0.2, 0, 0), Vec3(0, 0.15, 0), Vec3(0, -0.15, 0),
                         Vec3(0, 0, 0.5), Vec3(0.3, 0.1, -0.4)}) {
     const WalkSettings s = settings();
-    PointWalk walk(s, 0.7, VelocityProfile({0.0, 6.0, 14.0}, {v, Vec3::Zero(), v}));
+    TestWalk walk(s, 0.7, VelocityProfile({0.0, 6.0, 14.0}, {v, Vec3::Zero(), v}));
     double stood = kNaN;
     Vec2 rest = Vec2::Zero();
     while (walk.in.t < 20.0) {
@@ -413,19 +386,19 @@ BOOST_AUTO_TEST_CASE(walks_everywhere_stops_with_feet_side_by_side_and_starts_ag
 BOOST_AUTO_TEST_CASE(a_zero_profile_stands_or_steps_on_the_spot_as_asked) {
   const VelocityProfile zero({0.0}, {Vec3::Zero()});
   WalkSettings s = settings();
-  PointWalk standing(s, 0.0, zero);
+  TestWalk standing(s, 0.0, zero);
   standing.in.com = {0.01, -0.02};
   while (standing.in.t < 4.0) BOOST_REQUIRE(standing.step().at_rest);
   BOOST_CHECK_LT(standing.in.com.norm(), 1e-4);
   s.gait.stand = false;
-  PointWalk marching(s, 0.0, zero);
+  TestWalk marching(s, 0.0, zero);
   while (marching.in.t < 4.0) BOOST_REQUIRE(!marching.step().at_rest);
   BOOST_CHECK_EQUAL(marching.gait.schedule().at(4.0).step, 4);
 }
 
 BOOST_AUTO_TEST_CASE(a_command_leads_from_the_next_cycle_on_until_reset) {
   const WalkSettings s = settings();
-  PointWalk walk(s, 0.0, VelocityProfile({0.0}, {Vec3::Zero()}));
+  TestWalk walk(s, 0.0, VelocityProfile({0.0}, {Vec3::Zero()}));
   while (walk.in.t < 1.0) walk.step();
   walk.gait.command({0.5, 0, 0});
   CHECK_NEAR(walk.step().v_plan, Vec3(s.rate.forward_jump, 0, 0), 1e-12);
@@ -473,7 +446,7 @@ BOOST_AUTO_TEST_CASE(speed_yields_where_the_com_is_shifted_and_leaves_the_next_s
   const auto missed = [](double shift, double capture_speed) {
     WalkSettings s = settings();
     s.steps.capture_speed = capture_speed;
-    PointWalk walk(s, 0.0, steady(0.3));
+    TestWalk walk(s, 0.0, steady(0.3));
     walk.run_until(10.0);
     Missed out;
     const auto until = [&](Phase phase) {
@@ -506,7 +479,7 @@ BOOST_AUTO_TEST_CASE(speed_yields_where_the_com_is_shifted_and_leaves_the_next_s
 
 BOOST_AUTO_TEST_CASE(speed_yields_by_no_more_than_capture_speed) {
   const WalkSettings s = settings();
-  PointWalk walk(s, 0.0, steady(0.6));
+  TestWalk walk(s, 0.0, steady(0.6));
   walk.run_until(8.0);
   walk.gait.command({0.3, 0, 0});
   double most = 0.0;
@@ -521,7 +494,7 @@ BOOST_AUTO_TEST_CASE(speed_yields_by_no_more_than_capture_speed) {
 BOOST_AUTO_TEST_CASE(orbit_does_not_jump_ahead_from_cycle_to_cycle) {
   // One orbit ends and the next begins with nothing; the support switches within a cycle or two of that.
   for (const double v : {-0.5, 0.3, 0.6, 1.0}) {
-    PointWalk walk(settings(), 0.0, steady(v));
+    TestWalk walk(settings(), 0.0, steady(v));
     walk.run_until(8.0);
     double before = kNaN, most = 0.0;
     while (walk.in.t < 12.0) {
@@ -537,7 +510,7 @@ BOOST_AUTO_TEST_CASE(orbit_does_not_jump_ahead_from_cycle_to_cycle) {
 
 BOOST_AUTO_TEST_CASE(stretch_goes_on_where_the_foot_lands_and_is_half_a_step_and_what_the_com_moves) {
   const double v = 0.2;
-  PointWalk walk(settings(), 0.0, steady(v));
+  TestWalk walk(settings(), 0.0, steady(v));
   const StepTimes times = walk.gait.cadence().times(Vec3(v, 0, 0));
   const double L = v * times.period(), half = 0.5 * times.T_ds, Tc = walk.pendulum.Tc();
   // Ahead at v, and from foot to foot, (L, 0.22) apart, at the speed of the orbit between them.
@@ -565,7 +538,7 @@ BOOST_AUTO_TEST_CASE(stretch_goes_on_where_the_foot_lands_and_is_half_a_step_and
 BOOST_AUTO_TEST_CASE(a_plan_is_the_walk_of_a_point_mass_that_does_as_it_is_told) {
   for (const VelocityProfile& profile :
        {steady(0.2), steady(0.3), VelocityProfile({0.0, 4.0}, {Vec3(0.1, 0, 0), Vec3(0.25, 0.05, 0.1)})}) {
-    PointWalk walk(settings(), 0.0, profile);
+    TestWalk walk(settings(), 0.0, profile);
     const WalkPlan plan = plan_walk(settings(), profile, walk.pendulum, {kBounds, kBounds}, kSole, walk.in, 12.0);
     std::size_t landed = 0;
     bool standing = true;

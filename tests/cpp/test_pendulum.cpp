@@ -67,6 +67,17 @@ BOOST_AUTO_TEST_CASE(one_step_by_hand) {
   CHECK_NEAR(unit.velocity_after(std::log(2.0), {1.0, 2.0}), 0.75 + 2.5, 1e-15);
 }
 
+BOOST_AUTO_TEST_CASE(functions_of_a_time_that_are_kept_follow_the_pendulum_and_the_time) {
+  LastOver over;
+  const LinearInvertedPendulum other(0.7, kGravity);
+  for (const LinearInvertedPendulum* p : {&pendulum, &pendulum, &other, &pendulum})
+    for (const double dt : {0.001, 0.001, 0.01}) {
+      const PendulumState a = p->step(over(*p, dt), start, 0.05), b = p->step(dt, start, 0.05);
+      BOOST_CHECK_EQUAL(a.x, b.x);
+      BOOST_CHECK_EQUAL(a.v, b.v);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(step_satisfies_the_differential_equation_of_the_pendulum) {
   for (const double r : {-0.09, 0.0, 0.05}) BOOST_CHECK_LE(violation(step, r), 1e-7);
 }

@@ -53,6 +53,20 @@ BOOST_AUTO_TEST_CASE(paper_profile_advances_by_the_published_speeds) {
   BOOST_CHECK_EQUAL(profile.max_speed(), 0.25);
 }
 
+BOOST_AUTO_TEST_CASE(forward_speed_read_in_order_is_the_velocity_at_each_time) {
+  Numbers numbers(5);
+  for (const Interpolation kind : {Interpolation::kHold, Interpolation::kLinear}) {
+    const VelocityProfile profile = random_profile(numbers, kind);
+    VelocityProfile::Moment reached = profile.at(0.0);
+    for (double t = 0.0; t < 8.0; t += 0.013)
+      BOOST_CHECK_EQUAL(profile.forward_from(reached, t), profile.velocity(t).x());
+    for (const double knot : profile.t()) {
+      reached = profile.at(0.0);
+      BOOST_CHECK_EQUAL(profile.forward_from(reached, knot - 5e-10), profile.velocity(knot).x());  // a nanosecond early
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(displacement_is_the_integral_of_the_velocity) {
   for (const Interpolation kind : {Interpolation::kHold, Interpolation::kLinear}) {
     const VelocityProfile profile({0.0, 0.5, 2.0}, {Vec3(0.1, 0, 0.3), Vec3(0.4, -0.2, 0), Vec3(0.2, 0.1, -1)}, kind);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "zmpwalk/gait/point_walk.hpp"
 #include "zmpwalk/math/rotation.hpp"
 
 namespace zmpwalk {
@@ -22,15 +23,14 @@ Side first_swing(const WalkSettings& settings) { return settings.gait.first_swin
 Vec2 reference_zmp(const GaitOutput& gait, const LinearInvertedPendulum& pendulum, const VelocityTracker& tracker,
                    const Vec2& com, const Vec2& dcom) {
   if (gait.at_rest) return gait.zmp_rest;
-  const Vec2 ahead = ahead_of(gait.heading);
-  const double x = (com - gait.origin).dot(ahead), from_middle = x - gait.orbit_middle;
+  const double x = (com - gait.origin).dot(gait.ahead), from_middle = x - gait.orbit_middle;
   const double a =
       gait.orbit.acceleration(from_middle) +
-      tracker.acceleration(gait.orbit.velocity(from_middle) + gait.dv_capture, dcom.dot(ahead), gait.orbit_ahead);
-  const double r = pendulum.reference_for(x, a);
-  // What is beyond the bounds must not lean sideways where the sole points elsewhere than the walk.
+      tracker.acceleration(gait.orbit.velocity(from_middle) + gait.dv_capture, dcom.dot(gait.ahead), gait.orbit_ahead);
+  const double r = pendulum.reference_for(x, a);  // along H's x
+  // The bounds are along S's x: what is beyond them must not lean sideways where the sole points elsewhere than the walk.
   const double inside = std::clamp(r, gait.room.lower.x(), gait.room.upper.x());
-  return gait.origin + inside * ahead + (r - inside) * ahead_of(gait.yaw) + gait.zmp_lateral * left_of(gait.heading);
+  return gait.origin + inside * gait.ahead + (r - inside) * gait.ahead_S + gait.zmp_lateral * left_of(gait.ahead);
 }
 
 GaitGenerator::GaitGenerator(const WalkSettings& settings, const VelocityProfile& profile, const SoleSize& sole,
@@ -68,12 +68,15 @@ void GaitGenerator::reset(const GaitInput& start, const LinearInvertedPendulum& 
   const std::array<Foothold, 2> feet = feet_of(start);
   out_.heading = feet[kLeft].yaw + 0.5 * wrap_angle(feet[kRight].yaw - feet[kLeft].yaw);
   footsteps_.reset(feet, out_.heading);
+  out_.ahead = footsteps_.path().ahead;
   out_.swing = out_.support = first_swing(settings_);
   lateral_.reset(out_.support);
   schedule_.begin(0, 0.0, settings_.gait.T_ds_first, cadence_.slow);
   out_.at_rest = true;  // until the first cycle finds that the plan moves
   out_.origin = start.p_sole[out_.support].head<2>();
   out_.yaw = yaw_of(start.R_sole[out_.support]);
+  out_.ahead_S = ahead_of(out_.yaw);
+  sole_room_ = sole_room(out_.v_plan);
   out_.room = room(start);
 }
 
@@ -90,6 +93,7 @@ void GaitGenerator::take_command(double t) {
   allowance_ = allowance_.cwiseMin(limits_.jump);
   const Vec3 before = plan_.velocity(t);
   plan_.steer(t, command_, limits_, allowance_);
+  footsteps_.replan();
   allowance_ = (allowance_ - (plan_.velocity(t) - before).cwiseAbs()).cwiseMax(0.0);
   t_command_ = t;
 }
@@ -114,7 +118,7 @@ void GaitGenerator::begin_walk(const GaitInput& in) {
 
 bool GaitGenerator::can_stand(const GaitInput& in) const {
   if (!out_.standing[kLeft] || !out_.standing[kRight]) return true;
-  const double xi = (in.com + pendulum_.Tc() * in.dcom - out_.origin).dot(ahead_of(out_.yaw));
+  const double xi = (in.com + pendulum_.Tc() * in.dcom - out_.origin).dot(out_.ahead_S);
   return out_.room.lower.x() <= xi && xi <= out_.room.upper.x();
 }
 
@@ -160,7 +164,8 @@ const GaitOutput& GaitGenerator::update_steps(const GaitInput& in) {
   take_command(in.t);
   const bool began = begin_phase(in);
   out_.heading = footsteps_.heading();
-  out_.v_plan = plan_.velocity(in.t);
+  out_.ahead = footsteps_.path().ahead;
+  out_.v_plan = footsteps_.now().v;
   out_.standing = {true, true};
   out_.foothold = {Vec2::Constant(kNaN), kNaN};
   out_.w_T = kNaN;
@@ -184,6 +189,8 @@ const GaitOutput& GaitGenerator::update_steps(const GaitInput& in) {
   }
   out_.origin = in.p_sole[out_.support].head<2>();
   out_.yaw = yaw_of(in.R_sole[out_.support]);
+  out_.ahead_S = ahead_of(out_.yaw);
+  sole_room_ = sole_room(out_.v_plan);
   out_.room = room(in);
   if (out_.at_rest) {
     // The ZMP leads the DCM back to the middle between the feet.
@@ -201,56 +208,57 @@ const GaitOutput& GaitGenerator::update_steps(const GaitInput& in) {
 
 ZmpBounds GaitGenerator::sole_room(const Vec3& velocity) const {
   ZmpBounds out = bounds_[out_.support];
-  const double share = std::pow(cadence_.pace(velocity), settings_.zmp.sole_exponent);
+  const double pace = cadence_.pace(velocity);
+  if (pace == 1.0) return out;
+  const double share = std::pow(pace, settings_.zmp.sole_exponent);
   out.lower.x() *= share;
   out.upper.x() *= share;
   return out;
 }
 
 void GaitGenerator::move_ahead(const GaitInput& in) {
-  const double period = schedule_.times().period(), half = 0.5 * period;
-  const bool before_switch = out_.phase.phase == Phase::kDoubleSupport && lateral_.awaits_switch();
-  const double since_middle =
-      before_switch ? half - 0.5 * out_.phase.duration + out_.phase.time : -out_.phase.to_mid_single;
-  out_.orbit = orbit(out_.v_plan, period);
+  const double period = schedule_.times().period(), half = 0.5 * period, dt = settings_.control.dt;
+  const bool awaits = before_switch();
+  const double since_middle = awaits ? half - 0.5 * out_.phase.duration + out_.phase.time : -out_.phase.to_mid_single;
+  take_orbit(out_.orbit, sole_room_, out_.v_plan.x(), period);
   out_.orbit_middle = settings_.com.lead;
   out_.orbit_ahead = out_.orbit.ahead(std::clamp(since_middle, -half, half));
-  capture(in, before_switch);
+  const double time = awaits ? std::max(0.5 * out_.phase.duration - out_.phase.time, dt) : out_.phase.to_mid_double;
+  next_ = footsteps_.stance_at(in.t + time, awaits ? period : period_);
+  capture(in, time);
 }
 
-ForwardOrbit GaitGenerator::orbit(const Vec3& velocity, double period, bool end) const {
-  const ZmpBounds sole = sole_room(velocity);
+void GaitGenerator::take_orbit(ForwardOrbit& orbit, const ZmpBounds& sole, double v, double period, bool end) const {
   const double middle = settings_.com.lead, ahead = sole.upper.x() - middle, behind = middle - sole.lower.x();
-  return {pendulum_, velocity.x(), period, end ? (velocity.x() < 0.0 ? behind : ahead) : std::max(ahead, behind)};
+  const double roll = end ? (v < 0.0 ? behind : ahead) : std::max(ahead, behind);
+  if (!orbit.is_for(pendulum_, v, period, roll)) orbit = {pendulum_, v, period, roll};
 }
 
 ZmpBounds GaitGenerator::room(const GaitInput& in) const {
-  ZmpBounds out = sole_room(out_.v_plan);
-  if (!out_.standing[kLeft] || !out_.standing[kRight]) return out;
+  if (!out_.standing[kLeft] || !out_.standing[kRight]) return sole_room_;
   const Side there = other(out_.support);
-  return out.widened(bounds_[there], (in.p_sole[there].head<2>() - out_.origin).dot(left_of(out_.yaw)));
+  return sole_room_.widened(bounds_[there], (in.p_sole[there].head<2>() - out_.origin).dot(left_of(out_.ahead_S)));
 }
 
-void GaitGenerator::capture(const GaitInput& in, bool before_switch) {
-  // The next foot to take over: the one that swings, or one that has landed.
-  const double dt = settings_.control.dt, period = before_switch ? schedule_.times().period() : period_;
-  const double time =
-      before_switch ? std::max(0.5 * out_.phase.duration - out_.phase.time, dt) : out_.phase.to_mid_double;
-  const double t_mid = in.t + time, slope = time + pendulum_.Tc(),
-               length = plan_.displacement(t_mid, t_mid + period).x();
-  v_start_ = orbit({length / period, 0.0, 0.0}, period, true).end_velocity();
+void GaitGenerator::capture(const GaitInput& in, double time) {
+  const double period = next_.period, slope = time + pendulum_.Tc(), length = next_.displacement().x();
+  const double v_mean = length / period;
+  take_orbit(next_orbit_, sole_room({v_mean, 0.0, 0.0}), v_mean, period, true);
+  v_start_ = next_orbit_.end_velocity();
   xi_start_ = settings_.com.lead - 0.5 * length + pendulum_.Tc() * v_start_;
-  const PendulumState next = roll_out(in, time);
-  xi_next_ = pendulum_.dcm(next);
-  v_next_ = next.v;
+  const ForwardStance stance{out_.orbit,      out_.orbit_middle,   settings_.tracking.time, in.catch_up,
+                             out_.dv_capture, out_.room.lower.x(), out_.room.upper.x()};
+  const PendulumState state{(in.com - out_.origin).dot(out_.ahead), in.dcom.dot(out_.ahead)};
+  const PendulumState then = roll_out(pendulum_, plan_, footsteps_.now(), next_.mid, time, state, stance);
+  xi_next_ = pendulum_.dcm(then);
+  v_next_ = then.v;
   if (settings_.steps.mode != Footsteps::kTied) return;
   // One step of Newton's a cycle: a COM faster by dv is dv time further then, and its DCM dv (time + T_c).
   const bool decided = out_.phase.phase == Phase::kSingleSupport &&
                        (closing_ || out_.phase.time > settings_.steps.freeze * out_.phase.duration);
-  const Vec2 ahead = ahead_of(out_.heading);
-  const double foot = before_switch ? (in.p_sole[other(out_.support)].head<2>() - out_.origin).dot(ahead)
-                      : decided     ? (footsteps_.target().p - out_.origin).dot(ahead)
-                                    : footsteps_.lead(out_.phase.step, t_mid, period);
+  const double foot = before_switch() ? (in.p_sole[other(out_.support)].head<2>() - out_.origin).dot(out_.ahead)
+                      : decided       ? (footsteps_.target().p - out_.origin).dot(out_.ahead)
+                                      : footsteps_.lead(out_.phase.step, next_);
   const double planned = foot + xi_start_, reach = settings_.steps.capture_distance;
   const double alone = xi_next_ - slope * out_.dv_capture;
   const double dv = out_.dv_capture + (std::clamp(alone, planned - reach, planned + reach) - xi_next_) / slope;
@@ -258,85 +266,74 @@ void GaitGenerator::capture(const GaitInput& in, bool before_switch) {
 }
 
 double GaitGenerator::ahead_of_plan(const GaitInput& in) const {
-  const double t_mid = in.t + out_.phase.to_mid_double;
-  const double planned = (in.com - out_.origin).dot(ahead_of(out_.heading)) + plan_.displacement(in.t, t_mid).x() +
-                         0.5 * plan_.displacement(t_mid, t_mid + period_).x() - settings_.com.lead;
+  const double to_middle = (next_.mid.integral - footsteps_.now().integral).x();
+  const double planned =
+      (in.com - out_.origin).dot(out_.ahead) + to_middle + 0.5 * next_.displacement().x() - settings_.com.lead;
   // An excess speed, up to this, is left to the ZMP over that foot: taken up by the foothold, a long step would make the next one short.
   const double excess = pendulum_.Tc() * (v_next_ - v_start_), give = settings_.steps.give;
   return xi_next_ - xi_start_ - planned - std::clamp(excess, give * out_.room.lower.x(), give * out_.room.upper.x());
 }
 
-PendulumState GaitGenerator::roll_out(const GaitInput& in, double time) const {
-  // The pendulum (16) under the smooth tracker, its ZMP inside the bounds of the stance sole; by its DCM and its mirror image x - T_c v.
-  constexpr int kPieces = 16;
-  const double Tc = pendulum_.Tc(), dt = time / kPieces, grow = std::exp(dt / Tc);
-  const double catch_up = -std::expm1(-dt / settings_.tracking.time) / dt;
-  const Vec2 ahead = ahead_of(out_.heading);
-  const PendulumState now{(in.com - out_.origin).dot(ahead), in.dcom.dot(ahead)};
-  double xi = now.x + Tc * now.v, mirror = now.x - Tc * now.v;
-  const bool smooth = plan_.smooth(in.t, in.t + time);
-  const double v_now = out_.v_plan.x(), slope = smooth ? (plan_.velocity(in.t + time).x() - v_now) / time : 0.0;
-  for (int k = 0; k < kPieces; ++k) {
-    // as it is in the middle of the piece
-    const double v = (xi - mirror) / (2.0 * Tc), x = 0.5 * (xi + mirror + dt * v), from_middle = x - out_.orbit_middle;
-    const double t = (k + 0.5) * dt, faster = smooth ? slope * t : plan_.velocity(in.t + t).x() - v_now;
-    const double dv = faster + in.catch_up + out_.dv_capture;
-    const double a = out_.orbit.acceleration(from_middle) + catch_up * (out_.orbit.velocity(from_middle) + dv - v);
-    const double r = std::clamp(pendulum_.reference_for(x, a), out_.room.lower.x(), out_.room.upper.x());
-    xi = r + (xi - r) * grow;
-    mirror = r + (mirror - r) / grow;
-  }
-  return {0.5 * (xi + mirror), (xi - mirror) / (2.0 * Tc)};
-}
-
-double GaitGenerator::stretch(const GaitInput& in) const {
+double GaitGenerator::stretch(const GaitInput& in) {
   const bool single = out_.phase.phase == Phase::kSingleSupport;
   const Side landed = single ? out_.swing : other(out_.swing), lifting = other(landed);
-  const Foothold from = foothold_of(in.p_sole[lifting], in.R_sole[lifting]);
-  const Foothold to = single ? out_.foothold : foothold_of(in.p_sole[landed], in.R_sole[landed]);
+  const Vec2 from = in.p_sole[lifting].head<2>(), to = single ? out_.foothold.p : Vec2(in.p_sole[landed].head<2>());
   const double to_middle = single ? out_.phase.to_mid_double : 0.5 * out_.phase.duration - out_.phase.time;
   const double T_ds = single ? schedule_.times().T_ds : out_.phase.duration, Tc = pendulum_.Tc();
-  const double sway = 0.5 * (to.p - from.p).norm() / Tc * std::tanh(0.5 * schedule_.times().period() / Tc);
-  return footsteps_.stretch(to, landed, from, in.t + to_middle, T_ds, sway);
+  const double period = schedule_.times().period(), t_mid = in.t + to_middle;
+  if (period != sway_period_ || Tc != sway_Tc_) {
+    sway_ = std::tanh(0.5 * period / Tc);
+    sway_period_ = period;
+    sway_Tc_ = Tc;
+  }
+  const double sway = 0.5 * (to - from).norm() / Tc * sway_;
+  return footsteps_.stretch(to, landed, from, t_mid == next_.t_mid() ? next_ : footsteps_.stance_at(t_mid, 0.0), T_ds,
+                            sway);
 }
 
 void GaitGenerator::move_sideways(const GaitInput& in) {
   const bool single = out_.phase.phase == Phase::kSingleSupport;
-  const double dt = settings_.control.dt, time = out_.phase.to_mid_double, t_mid = in.t + time;
-  const Side stance = other(out_.swing), to = other(out_.support);
-  const Vec2 left = left_of(out_.heading);
-  const auto across = [&](const Vec2& p) { return (p - out_.origin).dot(left); };
-  const PendulumState y{across(in.com), in.dcom.dot(left)};
-  const double xi = pendulum_.dcm(y), drift = footsteps_.drift(t_mid, period_);
-
+  const double Tc = pendulum_.Tc();
+  const PendulumState y{(in.com - out_.origin).dot(left_of(out_.ahead)), in.dcom.dot(left_of(out_.ahead))};
+  if (before_switch()) {
+    const double dt = settings_.control.dt, period = schedule_.times().period();
+    const bool last = out_.phase.time + 1.5 * dt >= out_.phase.duration;
+    const double w_orbit = pendulum_.orbit_velocity(plan_.displacement(in.t, in.t + period).y(), period);
+    out_.w_T = lateral_.check_switch(pendulum_, y, 0.0, across(in.p_sole[other(out_.support)]),
+                                     out_.phase.to_mid_single, w_orbit, dt, last);
+    return;
+  }
+  if (period_ != orbit_period_ || Tc != orbit_Tc_) {
+    orbit_growth_ = pendulum_.growth(period_);
+    orbit_period_ = period_;
+    orbit_Tc_ = Tc;
+  }
+  const LinearInvertedPendulum::Growth until = pendulum_.growth(out_.phase.to_mid_double);
+  const double xi = pendulum_.dcm(y), drift = next_.drift();
   // The orbit's DCM in the middle of the next double support, for a foot that lands at `there`; before a stand, half way to it.
   const auto xi_end = [&](const Vec2& there) {
-    if (closing_) return 0.5 * across(there);
-    return across(there) + side_sign(out_.support) * pendulum_.orbit_inset(footsteps_.width(drift), period_) +
-           pendulum_.orbit_offset(drift, period_);
+    const double y_there = (there - out_.origin).dot(left_of(out_.ahead));
+    if (closing_) return 0.5 * y_there;
+    return y_there + side_sign(out_.support) * pendulum_.orbit_inset(footsteps_.width(drift), orbit_growth_) +
+           pendulum_.orbit_offset(drift, orbit_growth_);
   };
   if (single) {
-    const Foothold foot = foothold_of(in.p_sole[stance], in.R_sole[stance]);
     if (lifted_) {
-      footsteps_.begin_step(out_.phase.step, out_.swing, foot, t_mid, period_);
+      const Side stance = other(out_.swing);
+      const Foothold foot = foothold_of(in.p_sole[stance], in.R_sole[stance]);
+      footsteps_.begin_step(out_.phase.step, out_.swing, foot, next_);
       closing_ = settings_.gait.stand && plan_.at_rest(in.t, schedule_.touch_down() + schedule_.times().T_ds) &&
                  footsteps_.close(out_.swing, foot, xi_next_);
     }
-    const double aside = lateral_.miss(pendulum_, xi, xi_end(footsteps_.planned(out_.swing, t_mid, period_).p), time);
-    out_.foothold =
-        footsteps_.update(ahead_of_plan(in), aside, t_mid, period_, out_.phase.time / out_.phase.duration, dt);
+    if (footsteps_.follows(out_.phase.time / out_.phase.duration)) {
+      const PathPoint planned = footsteps_.planned(out_.swing, next_);
+      const double aside = lateral_.miss(pendulum_, xi, xi_end(planned.p), until);
+      footsteps_.follow(ahead_of_plan(in), aside, planned);
+    }
+    out_.foothold = footsteps_.target();
   }
-  if (lateral_.awaits_switch()) {
-    if (single) return;
-    const bool last = out_.phase.time + 1.5 * dt >= out_.phase.duration;
-    const double w_orbit =
-        pendulum_.orbit_velocity(footsteps_.drift(in.t, schedule_.times().period()), schedule_.times().period());
-    out_.w_T = lateral_.check_switch(pendulum_, y, 0.0, across(in.p_sole[to].head<2>()), out_.phase.to_mid_single,
-                                     w_orbit, dt, last);
-    return;
-  }
-  const Vec2 there = single ? out_.foothold.p : footsteps_.planned(out_.swing, t_mid, period_).p;
-  out_.zmp_lateral = lateral_.reference(pendulum_, xi, xi_end(there), time);
+  const Vec2 there = single ? out_.foothold.p : footsteps_.planned(out_.swing, next_).p;
+  out_.zmp_lateral = lateral_.reference(pendulum_, xi, xi_end(there), until);
 }
 
 }  // namespace zmpwalk

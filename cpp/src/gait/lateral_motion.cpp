@@ -4,7 +4,7 @@
 
 namespace zmpwalk {
 
-LateralMotion::LateralMotion(bool feedback, double reach) : feedback_(feedback), reach_(reach) {}
+LateralMotion::LateralMotion(bool feedback, double most) : feedback_(feedback), most_(most) {}
 
 void LateralMotion::reset(Side support) {
   support_ = support;
@@ -22,7 +22,7 @@ void LateralMotion::begin_cycle(bool double_support_began) {
 double LateralMotion::check_switch(const LinearInvertedPendulum& pendulum, const PendulumState& now, double r,
                                    double other_foot, double T, double w_orbit, double dt, bool last) {
   const auto off_orbit_after = [&](int cycles) {
-    PendulumState s = pendulum.step(cycles * dt, now, r);
+    PendulumState s = pendulum.step(over_[cycles - 1](pendulum, cycles * dt), now, r);
     s.x -= other_foot;
     return pendulum.velocity_after(T - cycles * dt, s) - w_orbit;
   };
@@ -33,15 +33,17 @@ double LateralMotion::check_switch(const LinearInvertedPendulum& pendulum, const
   return next + w_orbit;
 }
 
-double LateralMotion::reference(const LinearInvertedPendulum& pendulum, double xi, double xi_end, double time) const {
-  if (!feedback_ || awaits_ || !(time > 0.0)) return 0.0;
-  return std::clamp(pendulum.reference_to_reach(xi, xi_end, time), -reach_, reach_);
+double LateralMotion::reference(const LinearInvertedPendulum& pendulum, double xi, double xi_end,
+                                const LinearInvertedPendulum::Growth& time) const {
+  if (!feedback_ || awaits_ || !(time.excess > 0.0)) return 0.0;
+  return std::clamp(pendulum.reference_to_reach(xi, xi_end, time), -most_, most_);
 }
 
-double LateralMotion::miss(const LinearInvertedPendulum& pendulum, double xi, double xi_end, double time) const {
-  if (!feedback_ || awaits_ || !(time > 0.0)) return 0.0;
+double LateralMotion::miss(const LinearInvertedPendulum& pendulum, double xi, double xi_end,
+                           const LinearInvertedPendulum::Growth& time) const {
+  if (!feedback_ || awaits_ || !(time.excess > 0.0)) return 0.0;
   const double r = pendulum.reference_to_reach(xi, xi_end, time);
-  return (std::clamp(r, -reach_, reach_) - r) * -std::expm1(time / pendulum.Tc());
+  return (std::clamp(r, -most_, most_) - r) * -time.excess;
 }
 
 }  // namespace zmpwalk

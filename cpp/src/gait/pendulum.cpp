@@ -12,8 +12,12 @@ LinearInvertedPendulum::LinearInvertedPendulum(double z_c, double gravity) {
   Tc_ = std::sqrt(z_c / gravity);
 }
 
-PendulumState LinearInvertedPendulum::step(double dt, const PendulumState& s, double r) const {
-  const double ch = std::cosh(dt / Tc_), sh = std::sinh(dt / Tc_);
+LinearInvertedPendulum::Over LinearInvertedPendulum::over(double dt) const {
+  return {std::cosh(dt / Tc_), std::sinh(dt / Tc_)};
+}
+
+PendulumState LinearInvertedPendulum::step(const Over& dt, const PendulumState& s, double r) const {
+  const auto [ch, sh] = dt;
   const double x_d = ch * s.x + sh * Tc_ * s.v - (ch - 1.0) * r;  // Eq. (16), corrected: no 1/T_c before the last term
   const double Tc_v_d = sh * s.x + ch * Tc_ * s.v - sh * r;
   return {x_d, Tc_v_d / Tc_};
@@ -27,17 +31,8 @@ double LinearInvertedPendulum::velocity_after(double T, const PendulumState& s) 
   return (std::sinh(T / Tc_) * s.x + std::cosh(T / Tc_) * Tc_ * s.v) / Tc_;  // Eq. (18)
 }
 
-double LinearInvertedPendulum::reference_to_reach(double xi, double xi_end, double time) const {
-  const double grow = std::exp(time / Tc_);
-  return (xi_end - xi * grow) / (1.0 - grow);
-}
-
-double LinearInvertedPendulum::orbit_inset(double width, double period) const {
-  return width / (1.0 + std::exp(period / Tc_));
-}
-
-double LinearInvertedPendulum::orbit_offset(double drift, double period) const {
-  return drift / std::expm1(period / Tc_);
+LinearInvertedPendulum::Growth LinearInvertedPendulum::growth(double time) const {
+  return {std::exp(time / Tc_), std::expm1(time / Tc_)};
 }
 
 double LinearInvertedPendulum::orbit_velocity(double drift, double period) const {

@@ -15,7 +15,7 @@ void SwingFoot::begin(const Vec3& p, const Mat3& R, double duration, double z_la
   velocity_.setZero();
   target_ = SwingTarget{};
   target_.p = p;
-  target_.R = rotation_z(from_.z());
+  target_.R = rotation_z(yaw_ = from_.z());
 }
 
 const SwingTarget& SwingFoot::update(double t, double dt, const Foothold& foothold) {
@@ -24,10 +24,10 @@ const SwingTarget& SwingFoot::update(double t, double dt, const Foothold& footho
   Vec3 p, v, a;  // x, y, yaw
   for (int i = 0; i < 3; ++i) {
     const Cubic spline(from_[i], velocity_[i], to[i], 0.0, left);
-    const Motion1 now = spline.at(0.0), next = spline.at(dt);
-    p[i] = now.p;
-    v[i] = now.v;
-    a[i] = now.a;
+    const Motion1 next = spline.at(dt);
+    p[i] = from_[i];
+    v[i] = velocity_[i];
+    a[i] = spline.at(0.0).a;
     from_[i] = next.p;
     velocity_[i] = next.v;
   }
@@ -36,7 +36,7 @@ const SwingTarget& SwingFoot::update(double t, double dt, const Foothold& footho
   target_.p << p.head<2>(), z.p;
   target_.v << v.head<2>(), z.v;
   target_.a << a.head<2>(), z.a;
-  target_.R = rotation_z(p.z());
+  if (p.z() != yaw_) target_.R = rotation_z(yaw_ = p.z());
   target_.omega.z() = v.z();
   target_.alpha.z() = a.z();
   return target_;

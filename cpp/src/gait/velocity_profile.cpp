@@ -38,38 +38,29 @@ VelocityProfile VelocityProfile::paper() {
 }
 
 std::size_t VelocityProfile::segment(double t) const {
-  // Control times are sums of steps: a knot counts as reached a nanosecond early.
-  if (t + 1e-9 >= t_.back()) return t_.size() - 1;
-  const auto next = std::upper_bound(t_.begin(), t_.end(), t + 1e-9);
+  if (t + kEarly >= t_.back()) return t_.size() - 1;
+  const auto next = std::upper_bound(t_.begin(), t_.end(), t + kEarly);
   return next == t_.begin() ? 0 : static_cast<std::size_t>(next - t_.begin()) - 1;
 }
 
-Vec3 VelocityProfile::velocity(double t) const { return within(segment(t), t); }
-
-Vec3 VelocityProfile::within(std::size_t i, double t) const {
-  if (i + 1 == t_.size()) return v_[i];
-  const double s = std::clamp((t - t_[i]) / (t_[i + 1] - t_[i]), 0.0, 1.0);
-  return v_[i] + s * (end_[i] - v_[i]);
-}
-
-Vec3 VelocityProfile::integral(double t) const {
+VelocityProfile::Moment VelocityProfile::at(double t) const {
   const std::size_t i = segment(t);
-  return sum_[i] + 0.5 * (t - t_[i]) * (v_[i] + within(i, t));
+  const Vec3 v = within(i, t);
+  return {t, i, v, sum_[i] + 0.5 * (t - t_[i]) * (v_[i] + v)};
 }
 
 Vec3 VelocityProfile::displacement(double t0, double t1) const { return integral(t1) - integral(t0); }
 
-Vec3 VelocityProfile::travel(double t0, double t1) const {
-  const Vec3 before = integral(t0), straight = integral(t1) - before;
-  if (!turns(t0, t1)) return straight;
+Vec3 VelocityProfile::travel(const Moment& from, const Moment& to) const {
+  const Vec3 straight = to.integral - from.integral;
+  if (!turns(from, to.t)) return straight;
   // Pieces of about kPiece turn by little: each moves along the heading in its middle.
   constexpr double kPiece = 0.1;  // [s]; at 0.5 rad/s a piece's chord is its arc within 1e-4
-  const int pieces = static_cast<int>(std::ceil((t1 - t0) / kPiece));
-  Vec3 out(0.0, 0.0, straight.z()), last = before;
+  const int pieces = static_cast<int>(std::ceil((to.t - from.t) / kPiece));
+  Vec3 out(0.0, 0.0, straight.z()), last = from.integral;
   for (int k = 1; k <= pieces; ++k) {
-    const double t = t0 + k * (t1 - t0) / pieces;
-    const Vec3 now = integral(t);
-    const double yaw = 0.5 * (last.z() + now.z()) - before.z();
+    const Vec3 now = integral(from.t + k * (to.t - from.t) / pieces);
+    const double yaw = 0.5 * (last.z() + now.z()) - from.integral.z();
     const double c = std::cos(yaw), s = std::sin(yaw), dx = now.x() - last.x(), dy = now.y() - last.y();
     out.x() += c * dx - s * dy;
     out.y() += s * dx + c * dy;
@@ -78,8 +69,8 @@ Vec3 VelocityProfile::travel(double t0, double t1) const {
   return out;
 }
 
-bool VelocityProfile::turns(double t0, double t1) const {
-  for (std::size_t first = segment(t0), i = first; i < t_.size() && (i == first || t_[i] < t1); ++i)
+bool VelocityProfile::turns(const Moment& from, double t1) const {
+  for (std::size_t i = from.segment; i < t_.size() && (i == from.segment || t_[i] < t1); ++i)
     if (v_[i].z() != 0.0 || end_[i].z() != 0.0) return true;
   return false;
 }

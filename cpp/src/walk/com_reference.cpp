@@ -17,7 +17,8 @@ ComReference::ComReference(const WalkSettings& settings)
       kd_(settings.com.kd_x, settings.com.kd_y) {}
 
 void ComReference::set_pendulum(const LinearInvertedPendulum& pendulum) {
-  const PendulumState per_r = pendulum.step(dt_, {0.0, 0.0}, 1.0);  // (16) is linear
+  over_dt_ = pendulum.over(dt_);
+  const PendulumState per_r = pendulum.step(over_dt_, {0.0, 0.0}, 1.0);  // (16) is linear
   for (int i = 0; i < 2; ++i)
     df_dr_[i] =
         (feed_forward_ ? pendulum.acceleration(0.0, 1.0) : 0.0) + pd_acceleration(kp_[i], kd_[i], per_r.x, per_r.v);
@@ -26,7 +27,7 @@ void ComReference::set_pendulum(const LinearInvertedPendulum& pendulum) {
 ComReference::Desired ComReference::under(const Vec2& r, const Cycle& cycle) const {
   Desired c;
   for (int i = 0; i < 2; ++i) {
-    const PendulumState next = cycle.pendulum->step(dt_, {cycle.com_S[i], cycle.dcom_S[i]}, r[i]);
+    const PendulumState next = cycle.pendulum->step(over_dt_, {cycle.com_S[i], cycle.dcom_S[i]}, r[i]);
     c.x_d[i] = next.x;
     c.v_d[i] = next.v;
     c.f[i] = (feed_forward_ ? cycle.pendulum->acceleration(cycle.com_S[i], r[i]) : 0.0) +

@@ -1,7 +1,5 @@
 #include "zmpwalk/walk/cycle.hpp"
 
-#include "zmpwalk/math/rotation.hpp"
-
 namespace zmpwalk {
 
 Cycle cycle_of(double t, const Dynamics& dynamics, const GaitOutput& gait, const LinearInvertedPendulum& pendulum,
@@ -11,8 +9,8 @@ Cycle cycle_of(double t, const Dynamics& dynamics, const GaitOutput& gait, const
   c.dynamics = &dynamics;
   c.gait = &gait;
   c.pendulum = &pendulum;
-  c.R_WS = rotation_z(gait.yaw).topLeftCorner<2, 2>();
-  c.R_WH = rotation_z(gait.heading).topLeftCorner<2, 2>();
+  c.R_WS = axes_of(gait.ahead_S);
+  c.R_WH = axes_of(gait.ahead);
   c.com_S = c.to_S(com);
   c.dcom_S = c.R_WS.transpose() * dcom;
   c.com_meas_S = c.to_S(dynamics.com.head<2>());

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "zmpwalk/gait/point_walk.hpp"
 #include "zmpwalk/math/error.hpp"
 #include "zmpwalk/math/rotation.hpp"
 #include "zmpwalk/walk/proportions.hpp"
@@ -122,27 +123,9 @@ void WalkingController::require_startable() const {
 }
 
 double WalkingController::start_excursion(double scale) const {
-  // The pendulum under the smooth tracker, its ZMP held inside the bounds of the foot that carries it, up to the second lift-off.
-  const VelocityProfile& plan = gait_.plan();
-  const double dt = settings_.control.dt, period = settings_.gait.T_ds + settings_.gait.T_ss;
-  const double t_end = settings_.gait.T_ds_first + period, t_switch = t_end - 0.5 * settings_.gait.T_ds;
-  const double foothold =
-      scale * (plan.displacement(0.0, t_switch) + 0.5 * plan.displacement(t_switch, t_switch + period)).x();
-  VelocityTracker tracker(TrackerLaw::kSmooth, settings_.tracking.gain, settings_.tracking.time,
-                          settings_.tracking.deadband);
-  const LinearInvertedPendulum& pendulum = height_.pendulum();
-  const Dynamics& dyn = robot_.dynamics();
-  const Vec3 middle = 0.5 * (dyn.sole[kLeft].p_WF + dyn.sole[kRight].p_WF);
-  const double x_0 = (dyn.com - middle).head<2>().norm();
-  PendulumState s{x_0, 0.0};
-  for (double t = 0.0; t < t_end; t += dt) {
-    const double v_plan = scale * plan.velocity(t).x(), foot = t < t_switch ? 0.0 : foothold;
-    const double wanted = pendulum.reference_for(s.x, tracker.acceleration(v_plan, s.v));
-    const double r = std::clamp(wanted, foot + bounds_[kLeft].lower.x(), foot + bounds_[kLeft].upper.x());
-    s = pendulum.step(dt, s, r);
-    tracker.advance(s.v, v_plan, dt);
-  }
-  return s.x - x_0;
+  const auto& [left, right] = robot_.dynamics().sole;
+  const double x_0 = (robot_.dynamics().com - 0.5 * (left.p_WF + right.p_WF)).head<2>().norm();
+  return zmpwalk::start_excursion(settings_, gait_.plan(), height_.pendulum(), bounds_[kLeft], x_0, scale);
 }
 
 void WalkingController::reset(const State& state) {
@@ -248,7 +231,7 @@ void WalkingController::cycle(const State& state) {
   command_tasks(cycle);
   stance_.standing = gait.standing;
   stance_.support = gait.support;
-  stance_.lateral << -std::sin(gait.heading), std::cos(gait.heading), 0.0;
+  stance_.lateral << left_of(gait.ahead), 0.0;
   if (arms_.on()) arms_.command(dyn, stance_, f_xy_, gait.v_plan.z(), body_.reference(), whole_body_, f_star_);
   whole_body_.prepare(dyn, stance_, f_star_);
 
@@ -268,7 +251,8 @@ void WalkingController::command_tasks(const Cycle& cycle) {
   const int n = dyn.joints();
   const MotionReference& ref = body_.reference();
   const Turning trunk = turning(body_.at(n), body_.at(n + 1), body_.at(n + 2));
-  const Mat3 R_WH = rotation_z(gait.heading);
+  Mat3 R_WH = Mat3::Identity();
+  R_WH.topLeftCorner<2, 2>() = cycle.R_WH;
   const Vec3 heading_rate(0.0, 0.0, gait.v_plan.z());
   f_star_.trunk = R_WH * trunk.alpha + heading_rate.cross(R_WH * trunk.omega);
   f_star_.trunk += pd_acceleration(s.trunk.kp, s.trunk.kd, orientation_error(R_WH * trunk.R * R_HB_, dyn.R_WB),

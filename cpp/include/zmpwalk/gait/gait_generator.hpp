@@ -31,10 +31,12 @@ struct GaitOutput {
   Side support = kLeft;  ///< foot that carries the ZMP
   Side swing = kRight;   ///< foot of this step that swings, or will
   std::array<bool, 2> standing{true, true};
-  Vec2 origin = Vec2::Zero();  ///< of the support frame S: support sole's centre, W [m]
-  double yaw = 0.0;            ///< of S: the support sole's heading in W [rad]
-  double heading = 0.0;        ///< of the walk, H: that of the path in W [rad]
-  Vec3 v_plan = Vec3::Zero();  ///< planned velocity (v_x, v_y, w_z) in H
+  Vec2 origin = Vec2::Zero();    ///< of the support frame S: support sole's centre, W [m]
+  double yaw = 0.0;              ///< of S: the support sole's heading in W [rad]
+  Vec2 ahead_S = Vec2::UnitX();  ///< x axis of S in W
+  double heading = 0.0;          ///< of the walk, H: that of the path in W [rad]
+  Vec2 ahead = Vec2::UnitX();    ///< x axis of H in W
+  Vec3 v_plan = Vec3::Zero();    ///< planned velocity (v_x, v_y, w_z) in H
   ZmpBounds room;  ///< where the ZMP may be, in S: inside the support sole; sideways, two feet hold it all between them
   ForwardOrbit orbit;            ///< over the support foot, at the planned velocity
   double orbit_middle = 0.0;     ///< its middle, from `origin` along H's x [m]
@@ -91,15 +93,15 @@ class GaitGenerator {
   void move_sideways(const GaitInput& in);
   ZmpBounds room(const GaitInput& in) const;
   ZmpBounds sole_room(const Vec3& velocity) const;  // of the support foot alone
-  /// The ZMP may go as far as the sole reaches on its longer side; `end`: as far as it does at the end of a stance.
-  ForwardOrbit orbit(const Vec3& velocity, double period, bool end = false) const;
-  /// COM along the heading in the middle of the next double support, `time` [s] away, as the pendulum under the smooth tracker has it,
-  /// its ZMP inside the bounds of the support sole; from that sole's centre [m].
-  PendulumState roll_out(const GaitInput& in, double time) const;
-  void capture(const GaitInput& in, bool before_switch);
+  /// Over the support foot. The ZMP may roll as far as the sole goes on its longer side; `end`: as it does at the end of a stance.
+  void take_orbit(ForwardOrbit& orbit, const ZmpBounds& sole, double v, double period, bool end = false) const;
+  void capture(const GaitInput& in, double time);
   /// How much further than planned the next foot has to stand, so that the steady walk begins there [m].
   double ahead_of_plan(const GaitInput& in) const;
-  double stretch(const GaitInput& in) const;
+  double stretch(const GaitInput& in);
+  /// In double support, while the foot that swung last has not taken over.
+  bool before_switch() const { return out_.phase.phase == Phase::kDoubleSupport && lateral_.awaits_switch(); }
+  double across(const Vec3& p) const { return (p.head<2>() - out_.origin).dot(left_of(out_.ahead)); }
   bool can_stand(const GaitInput& in) const;  // the DCM is inside the bounds of the feet, which stand side by side
 
   WalkSettings settings_;
@@ -113,6 +115,12 @@ class GaitGenerator {
   LinearInvertedPendulum pendulum_;
   std::array<ZmpBounds, 2> bounds_;
   GaitOutput out_;
+  ZmpBounds sole_room_;      // of the support foot at the planned velocity
+  PlannedStance next_;       // of the next foot to take over: the one that swings, or one that has landed
+  ForwardOrbit next_orbit_;  // over that foot
+  double sway_ = 0.0, sway_period_ = 0.0, sway_Tc_ = 0.0;  // tanh(T / 2 T_c), and for which T and T_c
+  double orbit_period_ = 0.0, orbit_Tc_ = 0.0;
+  LinearInvertedPendulum::Growth orbit_growth_;  // of the DCM in `period_`, and for which T and T_c
   // Speed and DCM in the middle of the next double support, from the support foot along the heading [m/s, m]; and as the steady walk over
   // the next foot has them then, from that foot.
   double v_next_ = 0.0, xi_next_ = 0.0, v_start_ = 0.0, xi_start_ = 0.0;

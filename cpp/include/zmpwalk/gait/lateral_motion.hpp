@@ -13,8 +13,8 @@ namespace zmpwalk {
 /// on that orbit.
 class LateralMotion {
  public:
-  /// @param feedback  orbit feedback on or off   @param reach  largest |r_y| [m]
-  LateralMotion(bool feedback, double reach);
+  /// @param feedback  orbit feedback on or off   @param most  largest |r_y| [m]
+  LateralMotion(bool feedback, double most);
 
   /// @param support  foot that carries the ZMP at first: the one that swings first
   void reset(Side support);
@@ -35,12 +35,14 @@ class LateralMotion {
 
   /// Reference ZMP about the support's sole centre [m].
   ///
-  /// @param xi, xi_end  lateral DCM now, and the orbit's in the middle of the next double support, `time` [s] away; about the
-  ///                    support's sole centre [m]
-  double reference(const LinearInvertedPendulum& pendulum, double xi, double xi_end, double time) const;
+  /// @param xi, xi_end  lateral DCM now, and the orbit's in the middle of the next double support; about the support's
+  ///                    sole centre [m]   @param time  growth of the DCM until then
+  double reference(const LinearInvertedPendulum& pendulum, double xi, double xi_end,
+                   const LinearInvertedPendulum::Growth& time) const;
 
-  /// By how much the DCM will miss `xi_end`, because the reference is held within its reach [m].
-  double miss(const LinearInvertedPendulum& pendulum, double xi, double xi_end, double time) const;
+  /// By how much the DCM will miss `xi_end`, because |r_y| is bounded [m].
+  double miss(const LinearInvertedPendulum& pendulum, double xi, double xi_end,
+              const LinearInvertedPendulum::Growth& time) const;
 
   Side support() const { return support_; }
   /// True in double support until the switch.
@@ -48,7 +50,8 @@ class LateralMotion {
 
  private:
   bool feedback_;
-  double reach_;
+  double most_;
+  std::array<LastOver, 2> over_;  // one and two cycles
   Side support_ = kLeft;
   bool awaits_ = true;
   bool decided_ = false;

@@ -18,8 +18,15 @@ class LinearInvertedPendulum {
   double Tc() const { return Tc_; }           ///< [s]
   double omega() const { return 1.0 / Tc_; }  ///< [rad/s]
 
+  /// The two functions of a time in (16) to (18), for whoever asks for the same time again.
+  struct Over {
+    double ch = 1.0, sh = 0.0;  ///< cosh(dt / T_c), sinh(dt / T_c)
+  };
+  Over over(double dt) const;  ///< dt [s]
+
   /// Eq. 16 (corrected: no 1/T_c): state after `dt` [s] under a constant reference ZMP `r` [m].
-  PendulumState step(double dt, const PendulumState& s, double r) const;
+  PendulumState step(double dt, const PendulumState& s, double r) const { return step(over(dt), s, r); }
+  PendulumState step(const Over& dt, const PendulumState& s, double r) const;
   /// Eq. 17: the same about a zero reference, the lateral motion.
   PendulumState step_lateral(double dt, const PendulumState& s) const;
   /// Eq. 18: velocity after `T` [s] about a zero reference [m/s].
@@ -31,14 +38,26 @@ class LinearInvertedPendulum {
   double reference_for(double x, double a) const { return x - Tc_ * Tc_ * a; }
   /// Divergent component of motion x + T_c v [m]; under a constant r it leaves r as exp(t / T_c).
   double dcm(const PendulumState& s) const { return s.x + Tc_ * s.v; }
+  /// By what the distance of the DCM from the ZMP grows in a time, for whoever asks for the same time again.
+  struct Growth {
+    double factor = 1.0, excess = 0.0;  ///< exp(time / T_c), and that less 1
+  };
+  Growth growth(double time) const;  ///< time [s]
   /// The constant reference ZMP that brings the DCM from `xi` to `xi_end` in `time` [s] > 0.
-  double reference_to_reach(double xi, double xi_end, double time) const;
+  double reference_to_reach(double xi, double xi_end, double time) const {
+    return reference_to_reach(xi, xi_end, growth(time));
+  }
+  double reference_to_reach(double xi, double xi_end, const Growth& time) const {
+    return (xi_end - xi * time.factor) / (1.0 - time.factor);
+  }
 
   // The lateral orbit over feet that alternate, `width` apart, while their middle moves on by `drift` each step of `period` [s].
   /// Half way between the feet its DCM lies `orbit_inset` inside the foot to come: width / (1 + exp(period / T_c)) [m],
-  double orbit_inset(double width, double period) const;
+  double orbit_inset(double width, double period) const { return orbit_inset(width, growth(period)); }
+  double orbit_inset(double width, const Growth& period) const { return width / (1.0 + period.factor); }
   /// and `orbit_offset` further along the drift: drift / (exp(period / T_c) - 1) [m].
-  double orbit_offset(double drift, double period) const;
+  double orbit_offset(double drift, double period) const { return orbit_offset(drift, growth(period)); }
+  double orbit_offset(double drift, const Growth& period) const { return drift / period.excess; }
   /// Its velocity in the middle of a single support, drift / (2 T_c sinh(period / 2 T_c)) [m/s]: zero where nothing drifts.
   double orbit_velocity(double drift, double period) const;
 
@@ -51,6 +70,23 @@ class LinearInvertedPendulum {
 
  private:
   double Tc_;
+};
+
+/// `over(dt)`, computed only when the pendulum or the time is another than at the last call.
+class LastOver {
+ public:
+  const LinearInvertedPendulum::Over& operator()(const LinearInvertedPendulum& pendulum, double dt) {
+    if (pendulum.Tc() != Tc_ || dt != dt_) {
+      Tc_ = pendulum.Tc();
+      dt_ = dt;
+      over_ = pendulum.over(dt);
+    }
+    return over_;
+  }
+
+ private:
+  double Tc_ = 0.0, dt_ = 0.0;
+  LinearInvertedPendulum::Over over_;
 };
 
 }  // namespace zmpwalk

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "zmpwalk/gait/gait_generator.hpp"
-#include "zmpwalk/gait/velocity_tracker.hpp"
 #include "zmpwalk/zmp/bounds.hpp"
 
 namespace zmpwalk {

@@ -34,6 +34,7 @@ class SwingFoot {
   Cubic up_, down_;
   Vec3 from_ = Vec3::Zero();  // x, y, yaw now
   Vec3 velocity_ = Vec3::Zero();
+  double yaw_ = 0.0;  // of the target
   SwingTarget target_;
 };
 

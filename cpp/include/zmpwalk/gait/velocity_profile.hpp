@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -31,12 +32,24 @@ class VelocityProfile {
   /// The paper's experiment, section IV: 0.063, 0.156, 0.219, 0.25 m/s from 0, 0.8, 1.6, 2.4 s on.
   static VelocityProfile paper();
 
-  Vec3 velocity(double t) const;                  ///< (3,) at time t [s]; before 0 as at 0
+  /// The profile at one time, for several questions about it.
+  struct Moment {
+    double t = 0.0;                ///< [s]
+    std::size_t segment = 0;       ///< that holds here
+    Vec3 v = Vec3::Zero();         ///< velocity (3,)
+    Vec3 integral = Vec3::Zero();  ///< of the velocity, from the first knot (3,)
+  };
+  Moment at(double t) const;
+  Vec3 velocity(double t) const { return within(segment(t), t); }  ///< (3,) at time t [s]; before 0 as at 0
   Vec3 displacement(double t0, double t1) const;  ///< integral of the velocity from t0 to t1 (3,) [m, m, rad]
   /// Where a frame that moves with this velocity is at t1, seen from where it is at t0: (x, y, yaw) [m, m, rad].
-  Vec3 travel(double t0, double t1) const;
-  /// No knot lies between t0 and t1 [s].
-  bool smooth(double t0, double t1) const { return segment(t0) == segment(t1); }
+  Vec3 travel(double t0, double t1) const { return travel(at(t0), at(t1)); }
+  Vec3 travel(const Moment& from, const Moment& to) const;
+  /// v_x at time `t` [s], not earlier than `from.t`; `from.segment` goes along for the next call.
+  double forward_from(Moment& from, double t) const {
+    while (from.segment + 1 < t_.size() && t + kEarly >= t_[from.segment + 1]) ++from.segment;
+    return along(from.segment, t, 0);
+  }
   bool at_rest(double t0, double t1) const;  ///< the velocity is zero from t0 to t1 [s]
   double max_speed() const;                  ///< largest |(v_x, v_y)| [m/s]
 
@@ -53,10 +66,18 @@ class VelocityProfile {
 
  private:
   VelocityProfile() = default;
+  // Control times are sums of steps: a knot counts as reached a nanosecond early.
+  static constexpr double kEarly = 1e-9;
   std::size_t segment(double t) const;
-  Vec3 within(std::size_t segment, double t) const;  // the velocity
-  Vec3 integral(double t) const;
-  bool turns(double t0, double t1) const;
+  // The velocity, or one entry of it, that segment `i` has at time `t`.
+  Vec3 within(std::size_t i, double t) const { return {along(i, t, 0), along(i, t, 1), along(i, t, 2)}; }
+  double along(std::size_t i, double t, int axis) const {
+    if (i + 1 == t_.size()) return v_[i][axis];
+    const double s = std::clamp((t - t_[i]) / (t_[i + 1] - t_[i]), 0.0, 1.0);
+    return v_[i][axis] + s * (end_[i][axis] - v_[i][axis]);
+  }
+  Vec3 integral(double t) const { return at(t).integral; }
+  bool turns(const Moment& from, double t1) const;
   /// Appends a segment from (t, v), linear to `end` at t + length.
   void append(double t, const Vec3& v, const Vec3& end, double length);
   void follow(double t, double length, const Vec3& from, const Vec3& to, const VelocityLimits& limits, Vec3& v,

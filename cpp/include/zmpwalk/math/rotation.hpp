@@ -38,8 +38,8 @@ inline Turning turning(const Motion1& roll, const Motion1& pitch, const Motion1&
 /// Heading of a frame: the angle of its x axis in the horizontal plane [rad].
 inline double yaw_of(const Mat3& R) { return std::atan2(R(1, 0), R(0, 0)); }
 
-/// An angle brought into (-pi, pi].
-inline double wrap_angle(double angle) { return std::remainder(angle, 2.0 * M_PI); }
+/// An angle brought into (-pi, pi]; one that lies inside is returned as it is.
+inline double wrap_angle(double angle) { return std::abs(angle) < M_PI ? angle : std::remainder(angle, 2.0 * M_PI); }
 
 /// Rotation vector, in world axes, that turns `R` into `R_des` [rad], (3,). Zero when they agree.
 ///

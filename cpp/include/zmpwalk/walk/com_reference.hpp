@@ -50,7 +50,8 @@ class ComReference {
   double dt_, threshold_;
   int max_iterations_;
   Vec2 kp_, kd_;
-  Vec2 df_dr_ = Vec2::Zero();  // of (8) with (16), each axis [1/s^2]
+  LinearInvertedPendulum::Over over_dt_;  // of a control period
+  Vec2 df_dr_ = Vec2::Zero();             // of (8) with (16), each axis [1/s^2]
 };
 
 }  // namespace zmpwalk
