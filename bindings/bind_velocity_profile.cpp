@@ -33,7 +33,7 @@ void bind_velocity_profile(py::module_& m) {
       .def("velocity", &VelocityProfile::velocity, "t"_a, "Velocity (3,) at time t [s]; the last value holds.")
       .def("displacement", &VelocityProfile::displacement, "t0"_a, "t1"_a,
            "Integral of the velocity from t0 to t1 (3,) [m, m, rad].")
-      .def("travel", &VelocityProfile::travel, "t0"_a, "t1"_a,
+      .def("travel", py::overload_cast<double, double>(&VelocityProfile::travel, py::const_), "t0"_a, "t1"_a,
            "Where a frame that moves with this velocity is at t1, seen from where it is at t0: (x, y, yaw) (3,).")
       .def_property_readonly("max_speed", &VelocityProfile::max_speed, "Largest |(v_x, v_y)| [m/s].")
       .def_property_readonly("t", &VelocityProfile::t, "Knot times [s].")

@@ -20,7 +20,7 @@ PendulumState rolled(const VelocityProfile& plan, double t, double time, Pendulu
   for (int k = 0; k < kSteps; ++k) {
     const double x = s.x - stance.orbit_middle, faster = plan.velocity(t + k * dt).x() - plan.velocity(t).x();
     const double v_want = stance.orbit.velocity(x) + faster + stance.catch_up + stance.dv_capture;
-    const double a = stance.orbit.acceleration(x) + (v_want - s.v) / stance.tracking.time;
+    const double a = stance.orbit.acceleration(x) + (v_want - s.v) / stance.tracker_time;
     s = pendulum.step(dt, s, std::clamp(pendulum.reference_for(s.x, a), stance.lower, stance.upper));
   }
   return s;

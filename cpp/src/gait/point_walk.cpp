@@ -13,7 +13,7 @@ PendulumState roll_out(const LinearInvertedPendulum& pendulum, const VelocityPro
   // Eq. (16) in pieces, by the DCM and its mirror image x - T_c v: each leaves, or nears, the ZMP exponentially.
   constexpr int kPieces = 16;
   const double Tc = pendulum.Tc(), dt = time / kPieces, grow = std::exp(dt / Tc);
-  const double share = -std::expm1(-dt / stance.tracking.time) / dt;  // of a speed error, in a piece [1/s]
+  const double share = -std::expm1(-dt / stance.tracker_time) / dt;  // of a speed error, in a piece [1/s]
   double xi = state.x + Tc * state.v, mirror = state.x - Tc * state.v;
   const bool smooth = now.segment == then.segment;
   const double v_now = now.v.x(), slope = smooth ? (then.v.x() - v_now) / time : 0.0;
