@@ -9,21 +9,40 @@ import numpy.typing
 import typing
 
 __all__: list[str] = [
+    "ArmsSettings",
+    "ComSettings",
+    "Contact",
+    "ContactSettings",
     "ContactSpace",
+    "ControlSettings",
     "CycleOutput",
     "Dynamics",
+    "FallSettings",
     "Foot",
     "GaitGenerator",
     "GaitOutput",
+    "GaitSettings",
     "JointMotion",
+    "LegParts",
     "LinearInvertedPendulum",
+    "Plane",
+    "PostureSettings",
+    "RateSettings",
+    "RecordedColumn",
     "Recorder",
     "ReferenceResult",
     "Robot",
     "RobotDescription",
+    "RobotParts",
+    "Setting",
     "SoleState",
+    "State",
+    "StepsSettings",
+    "SwingSettings",
     "TaskAccelerations",
     "TaskSpace",
+    "TrackingSettings",
+    "TrunkSettings",
     "VelocityProfile",
     "VelocityTracker",
     "WalkSettings",
@@ -32,736 +51,1698 @@ __all__: list[str] = [
     "WholeBodyResult",
     "ZmpEstimate",
     "ZmpEstimator",
+    "ZmpSettings",
     "benchmark_cycle",
+    "benchmark_walk",
     "build_info",
+    "common_plane",
     "describe",
     "distribute_wrench",
     "iterate_reference",
     "measured_zmp",
+    "model_reasons",
     "mujoco_version",
     "pd_acceleration",
+    "recorded_columns",
     "simulate",
     "solve_reference",
     "yaw_momentum",
     "zmp_bounds",
     "zmp_of_wrench",
+    "zmp_on_plane",
 ]
+
+class Setting:
+    """
+    A row of the table of settings, see `WalkSettings.table`.
+    """
+    def __repr__(self) -> str: ...
+    @property
+    def default(self) -> typing.Any:
+        """
+        default; NaN where it depends on the robot
+        """
+    @property
+    def flat(self) -> str:
+        """
+        its one word, such as 'tracker_gain'
+        """
+    @property
+    def group(self) -> str:
+        """
+        its group, such as 'tracking'
+        """
+    @property
+    def meaning(self) -> str:
+        """
+        what it is for
+        """
+    @property
+    def name(self) -> str:
+        """
+        its name in the group, such as 'gain'
+        """
+    @property
+    def range(self) -> str:
+        """
+        the rule for its number or numbers; '' for what is no number
+        """
+    @property
+    def rule(self) -> str:
+        """
+        how the robot gives its default; '' where it does not depend on the robot
+        """
+    @property
+    def text(self) -> str:
+        """
+        what it is for, its unit, its words and its default, in one paragraph
+        """
+    @property
+    def type(self) -> str:
+        """
+        its type, as an annotation
+        """
+    @property
+    def unit(self) -> str:
+        """
+        SI; '' where it has none
+        """
+    @property
+    def words(self) -> list[str]:
+        """
+        the words that there are, where it is one of a few
+        """
+
+class GaitSettingsDict(typing.TypedDict, total=False):
+    T_ds: float
+    T_ss: float
+    T_ds_first: float
+    first_swing: typing.Literal["right", "left"]
+    cadence_speed: float
+    cadence_exponent: float
+    cadence_double: float
+    cadence_sideways: float
+    cadence_turning: float
+    stand: bool
+    stand_gain: float
+    closing_distance: float
+    closing_turn: float
+
+class StepsSettingsDict(typing.TypedDict, total=False):
+    mode: typing.Literal["tied", "absolute", "paper", "printed", "list"] | typing.Sequence[float]
+    lengths: typing.Sequence[float]
+    width: float
+    clearance: float
+    reach: float
+    filter_time: float
+    give: float
+    freeze: float
+    capture_distance: float
+    capture_speed: float
+
+class SwingSettingsDict(typing.TypedDict, total=False):
+    height: float
+    feed_forward: bool
+    kp: float
+    kd: float
+
+class ComSettingsDict(typing.TypedDict, total=False):
+    state: typing.Literal["measured", "desired"]
+    feed_forward: bool
+    kp_x: float
+    kd_x: float
+    kp_y: float
+    kd_y: float
+    kp_z: float
+    kd_z: float
+    lead: float
+    least_knee: float
+    crouch_limit: float
+    crouch_margin: float
+    crouch_time: float
+
+class ZmpSettingsDict(typing.TypedDict, total=False):
+    modification: bool
+    iteration: typing.Literal["closed_form", "loop", "none"]
+    threshold: float
+    max_iterations: int
+    sole_fraction: float
+    sole_exponent: float
+    ankle_torque_fraction: float
+    bound_lateral: bool
+    lateral_feedback: bool
+    lateral_shift: float
+
+class TrackingSettingsDict(typing.TypedDict, total=False):
+    law: typing.Literal["smooth", "bang_bang"]
+    gain: float
+    time: float
+    catch_up_speed: float
+    deadband: float
+
+class RateSettingsDict(typing.TypedDict, total=False):
+    limit: bool
+    forward_jump: float
+    sideways_jump: float
+    turning_jump: float
+    forward_acceleration: float
+    forward_deceleration: float
+    sideways_acceleration: float
+    turning_acceleration: float
+
+class TrunkSettingsDict(typing.TypedDict, total=False):
+    kp: float
+    kd: float
+
+class PostureSettingsDict(typing.TypedDict, total=False):
+    task: bool
+    kp: float
+    kd: float
+    motion_blend: float
+
+class ArmsSettingsDict(typing.TypedDict, total=False):
+    momentum: float
+    kp: float
+    kd: float
+
+class ContactSettingsDict(typing.TypedDict, total=False):
+    wrench_distribution: bool
+    load_alone: float
+    damping: float
+
+class ControlSettingsDict(typing.TypedDict, total=False):
+    dt: float
+    textbook: bool
+    singular_damping: float
+    singular_pivot: float
+    friction_velocity: float
+    kernel: str
+    torque_limits: typing.Mapping[str, float]
+
+class FallSettingsDict(typing.TypedDict, total=False):
+    height: float
+    tilt: float
+    foot_tilt: float
 
 class WalkSettings:
     __hash__: typing.ClassVar[None] = None
     @staticmethod
-    def table() -> dict:
+    def find(name: str) -> Setting:
         """
-        Every setting's (unit, meaning) by name, in the order of `to_dict`.
+        The row of one setting.
+
+        Args:
+            name: 'tracking.gain', or its one word 'tracker_gain'.
+
+        Raises:
+            InputError: there is none; the message names the nearest.
+
+        Usage: `print(WalkSettings.find('T_ss').text)`
         """
     def __copy__(self) -> WalkSettings: ...
     def __deepcopy__(self, arg0: dict) -> WalkSettings: ...
     def __eq__(self, arg0: WalkSettings) -> bool: ...
     def __getstate__(self) -> dict: ...
-    def __init__(self, law: str = "default", **kwargs) -> None:
-        """
-        Every gain, bound and switch of the walk. NaN means 'from the robot' and is filled in by WalkingController.
-
-        Args:
-            law: preset, 'default' or 'paper' (the literal law of the paper).
-            control_dt: control period, a multiple of the model's time step; NaN: the model's time step [s]. Default nan.
-            T_ds: double support time; NaN: one fifth of the step period, which goes as sqrt(COM height) [s]. Default nan.
-            T_ss: single support time; NaN: four fifths of the step period [s]. Default nan.
-            T_ds_first: first double support; NaN: computed so that the lateral orbit starts symmetric [s]. Default nan.
-            first_swing: foot that swings first, 'right' or 'left'. Default 'right'.
-            cadence_speed: speed up to which steps take T_ds + T_ss and grow longer; NaN: 0.1 of sqrt(g COM height) [m/s]. Default nan.
-            cadence_exponent: above it, steps take (cadence_speed / speed)^cadence_exponent of that; 0: always the same; NaN: 0.4, and 0 where a list sets the lengths. Default nan.
-            cadence_double: and the double support's share of a step goes as (cadence_speed / speed)^cadence_double. Default 0.5.
-            cadence_sideways: what 1 m/s sideways counts as forward, for the cadence. Default 3.0.
-            cadence_turning: what 1 rad/s counts as forward, for the cadence; NaN: 0.54 of the COM height [m/rad]. Default nan.
-            stand: stand, feet side by side, while the profile is zero; False: step on the spot. Default True.
-            stand_gain: standing: how far the ZMP goes beyond the DCM, per distance from the middle. Default 1.0.
-            closing_reach: the last step goes beside the stance foot where the DCM will be this near; NaN: 0.1 of the COM height [m]. Default nan.
-            closing_turn: and where the headings of path and stance foot differ by no more [rad]. Default 0.05.
-            rate_limit: limit how fast the planned velocity changes; False: take profiles as they are. Default True.
-            forward_jump: change of v_x that passes at once; NaN: 0.036 of sqrt(g COM height) [m/s]. Default nan.
-            sideways_jump: change of v_y that passes at once; NaN: 0.03 of sqrt(g COM height) [m/s]. Default nan.
-            turning_jump: change of w_z that passes at once; NaN: 0.07 / T_c [rad/s]. Default nan.
-            forward_acceleration: at which v_x grows beyond that; NaN: 0.02 g [m/s^2]. Default nan.
-            forward_deceleration: at which v_x goes back to zero; NaN: 0.056 g [m/s^2]. Default nan.
-            sideways_acceleration: at which v_y follows beyond that; NaN: 0.025 g [m/s^2]. Default nan.
-            turning_acceleration: at which w_z follows beyond that; NaN: 0.08 / T_c^2 [rad/s^2]. Default nan.
-            tracker: velocity tracker: 'smooth' or 'bang_bang' (III-C as printed). Default 'smooth'.
-            tracker_gain: smooth tracker: speed asked for per metre of integrated error; NaN: 1.38 / T_c [1/s]. Default nan.
-            tracker_time: smooth tracker: time in which a speed error is removed; NaN: 0.18 T_c [s]. Default nan.
-            tracker_reach: smooth tracker: largest speed beside the planned one that removes an integrated error; NaN: 0.03 of sqrt(g COM height) [m/s]. Default nan.
-            tracker_deadband: bang-bang tracker: integrated error that counts as zero before a drive starts [m]. Default 0.0002.
-            zmp_modification: keep the estimated ZMP inside its bounds (III-B, III-C); False: track v_plan blindly. Default True.
-            iteration: how the reference ZMP is found: 'closed_form' or 'loop' (III-B), or 'none': the desired ZMP as the pendulum has it, the estimate changes nothing. Default 'closed_form'.
-            zmp_threshold: |desired - estimated ZMP| at which the loop ends (section IV) [m]. Default 0.001.
-            max_iterations: bound of the loop. Default 200.
-            sole_fraction: share of the sole that the ZMP may use. Default 0.72.
-            sole_exponent: above cadence_speed the ZMP uses less of the sole's length, as (cadence_speed / speed)^sole_exponent: at its edges the contact chatters. Default 0.5.
-            ankle_torque_fraction: share of the ankle's torque limit that may hold the ZMP. Default 0.9.
-            bound_lateral: bound the lateral ZMP too; the paper bounds the sagittal one only. Default True.
-            least_knee: knee angle that the plan keeps: room for what it does not know, as swing leg and pelvis move the hips against the COM [rad]. Default 0.3.
-            crouch_limit: how far the COM may come down for long steps; NaN: 0.1 of its height [m]. Default nan.
-            crouch_margin: the COM comes down until the legs reach this many times as far as the feet are from the hips in double support. Default 1.2.
-            crouch_time: time constant of that; NaN: 0.5 T_c [s]. Default nan.
-            com_state: 'current' COM state in (16), (17): 'measured' or 'desired' (the previous one). Default 'measured'.
-            feed_forward: add the pendulum's acceleration to (8). Default True.
-            com_x_kp: COM, forward; NaN: scaled with 1/T_c^2 [1/s^2]. Default nan.
-            com_x_kd: COM, forward; NaN: scaled with 1/T_c [1/s]. Default nan.
-            com_y_kp: COM, lateral [1/s^2]. Default nan.
-            com_y_kd: COM, lateral [1/s]. Default nan.
-            com_z_kp: COM, height [1/s^2]. Default nan.
-            com_z_kd: COM, height [1/s]. Default nan.
-            lateral_feedback: shift the lateral reference ZMP so that the orbit repeats; False: (17) alone. Default True.
-            lateral_reach: largest such shift, as a share of the half sole width. Default 0.4.
-            footsteps: 'tied' to the COM, 'absolute', 'paper', 'printed' or 'list' (step_lengths). Default 'tied'.
-            step_lengths: lead of each step over the stance foot, the last one repeated [m]. Default [].
-            step_width: lateral distance of the feet; NaN: as they stand at the start [m]. Default nan.
-            foot_clearance: least distance of the soles' edges sideways; NaN: 0.03 of the COM height [m]. Default nan.
-            step_height: height of the swing foot; NaN: 0.0535 of the COM height, less (to 0.01) where the knee's rotor and damping would take over 0.6 of its torque at the profile's top speed [m]. Default nan.
-            foothold_reach: tied footholds: largest distance from the nominal foothold; NaN: 0.25 of the COM height [m]. Default nan.
-            com_lead: tied footholds: how far the COM rides ahead of the middle of the feet, so that a foot is not loaded on its heel; NaN: 0.0134 of the COM height [m]. Default nan.
-            foothold_time: tied footholds: time constant of the low-pass on the target; NaN: 0.18 T_c [s]. Default nan.
-            foothold_give: tied footholds: an excess speed moves the DCM; up to this share of the bounds the ZMP of the next stance takes it up, what is more moves the foothold. Default 0.3.
-            foothold_freeze: tied footholds: share of the single support after which the target stands. Default 0.7.
-            capture_reach: tied footholds: how far the DCM may be from where the plan has it as the next foot takes over: beyond, the COM's speed yields; NaN: 0.07 of the COM height [m]. Default nan.
-            capture_speed: by how much it yields at most; NaN: 0.2 of sqrt(g COM height) [m/s]. Default nan.
-            swing_feed_forward: add the spline's acceleration to the swing foot's task. Default True.
-            swing_kp: swing foot, position and orientation [1/s^2]. Default nan.
-            swing_kd: swing foot, position and orientation [1/s]. Default nan.
-            trunk_kp: trunk orientation [1/s^2]. Default nan.
-            trunk_kd: trunk orientation [1/s]. Default nan.
-            posture_kp: joints that are in no leg [1/s^2]. Default nan.
-            posture_kd: joints that are in no leg [1/s]. Default nan.
-            motion_blend: time in which a joint motion takes over from the reference before it; NaN: 1.8 T_c [s]. Default nan.
-            momentum_arms: share of the yaw momentum of legs and trunk that the arms swing to cancel, 0 to 1; joints that a motion names do not swing. Default 0.0.
-            momentum_kp: swinging arms: spring to the posture [1/s^2]. Default nan.
-            momentum_kd: swinging arms: rate at which the robot's yaw momentum is brought to zero [1/s]. Default nan.
-            posture_task: stack the posture of waist and arms. Default True.
-            wrench_distribution: share the load of two standing feet; False: minimum-norm torque. Default True.
-            load_alone: double support: while the ZMP is this near to a sole's centre line, in half sole widths, that foot carries everything: a foot that just landed chatters under a light load. Default 0.7.
-            contact_damping: damping of the velocity of a standing foot that does not carry the ZMP: without load it would drift off the ground [1/s]. Default 100.0.
-            textbook: equations 1-13 as printed instead of the direct path: slower, the same numbers. Default False.
-            singular_damping: damping of the motion where a leg is straight. Default 0.001.
-            singular_pivot: pivot below which a leg counts as straight. Default 0.01.
-            friction_velocity: joint speed below which dry friction is taken as proportional to speed [rad/s]. Default 0.02.
-            kernel: build of the inner loops: 'auto', the best that this processor runs, or one of build_info()['kernels']. Default 'auto'.
-            torque_limits: torque limits by joint name, in place of the robot's own; a motor still gives no more than the model lets through [N m]. Default {}.
-            fall_height: COM height over the support foot, as a share of the start's, that counts as a fall. Default 0.8.
-            fall_tilt: trunk tilt that counts as a fall [rad]. Default 0.8.
-            fall_foot_tilt: tilt of the foot that stands alone that counts as a fall [rad]. Default 0.3.
-
-        Raises:
-            InputError: an unknown name or a value of the wrong type.
-
-        Usage:
-            >>> WalkSettings(law='paper', footsteps='absolute')
-        """
     def __repr__(self) -> str: ...
     def __setstate__(self, arg0: dict) -> None: ...
     def to_dict(self) -> dict:
         """
-        All settings by name, as plain Python values.
+        All settings by their one word, as plain Python values.
         """
-    @property
-    def T_ds(self) -> typing.Any:
-        """
-        double support time; NaN: one fifth of the step period, which goes as sqrt(COM height) [s]
-        """
-    @T_ds.setter
-    def T_ds(self, arg1: typing.Any) -> None: ...
-    @property
-    def T_ds_first(self) -> typing.Any:
-        """
-        first double support; NaN: computed so that the lateral orbit starts symmetric [s]
-        """
-    @T_ds_first.setter
-    def T_ds_first(self, arg1: typing.Any) -> None: ...
-    @property
-    def T_ss(self) -> typing.Any:
-        """
-        single support time; NaN: four fifths of the step period [s]
-        """
-    @T_ss.setter
-    def T_ss(self, arg1: typing.Any) -> None: ...
-    @property
-    def ankle_torque_fraction(self) -> typing.Any:
-        """
-        share of the ankle's torque limit that may hold the ZMP
-        """
-    @ankle_torque_fraction.setter
-    def ankle_torque_fraction(self, arg1: typing.Any) -> None: ...
-    @property
-    def bound_lateral(self) -> typing.Any:
-        """
-        bound the lateral ZMP too; the paper bounds the sagittal one only
-        """
-    @bound_lateral.setter
-    def bound_lateral(self, arg1: typing.Any) -> None: ...
-    @property
-    def cadence_double(self) -> typing.Any:
-        """
-        and the double support's share of a step goes as (cadence_speed / speed)^cadence_double
-        """
-    @cadence_double.setter
-    def cadence_double(self, arg1: typing.Any) -> None: ...
-    @property
-    def cadence_exponent(self) -> typing.Any:
-        """
-        above it, steps take (cadence_speed / speed)^cadence_exponent of that; 0: always the same; NaN: 0.4, and 0 where a list sets the lengths
-        """
-    @cadence_exponent.setter
-    def cadence_exponent(self, arg1: typing.Any) -> None: ...
-    @property
-    def cadence_sideways(self) -> typing.Any:
-        """
-        what 1 m/s sideways counts as forward, for the cadence
-        """
-    @cadence_sideways.setter
-    def cadence_sideways(self, arg1: typing.Any) -> None: ...
-    @property
-    def cadence_speed(self) -> typing.Any:
-        """
-        speed up to which steps take T_ds + T_ss and grow longer; NaN: 0.1 of sqrt(g COM height) [m/s]
-        """
-    @cadence_speed.setter
-    def cadence_speed(self, arg1: typing.Any) -> None: ...
-    @property
-    def cadence_turning(self) -> typing.Any:
-        """
-        what 1 rad/s counts as forward, for the cadence; NaN: 0.54 of the COM height [m/rad]
-        """
-    @cadence_turning.setter
-    def cadence_turning(self, arg1: typing.Any) -> None: ...
-    @property
-    def capture_reach(self) -> typing.Any:
-        """
-        tied footholds: how far the DCM may be from where the plan has it as the next foot takes over: beyond, the COM's speed yields; NaN: 0.07 of the COM height [m]
-        """
-    @capture_reach.setter
-    def capture_reach(self, arg1: typing.Any) -> None: ...
-    @property
-    def capture_speed(self) -> typing.Any:
-        """
-        by how much it yields at most; NaN: 0.2 of sqrt(g COM height) [m/s]
-        """
-    @capture_speed.setter
-    def capture_speed(self, arg1: typing.Any) -> None: ...
-    @property
-    def closing_reach(self) -> typing.Any:
-        """
-        the last step goes beside the stance foot where the DCM will be this near; NaN: 0.1 of the COM height [m]
-        """
-    @closing_reach.setter
-    def closing_reach(self, arg1: typing.Any) -> None: ...
-    @property
-    def closing_turn(self) -> typing.Any:
-        """
-        and where the headings of path and stance foot differ by no more [rad]
-        """
-    @closing_turn.setter
-    def closing_turn(self, arg1: typing.Any) -> None: ...
-    @property
-    def com_lead(self) -> typing.Any:
-        """
-        tied footholds: how far the COM rides ahead of the middle of the feet, so that a foot is not loaded on its heel; NaN: 0.0134 of the COM height [m]
-        """
-    @com_lead.setter
-    def com_lead(self, arg1: typing.Any) -> None: ...
-    @property
-    def com_state(self) -> typing.Any:
-        """
-        'current' COM state in (16), (17): 'measured' or 'desired' (the previous one)
-        """
-    @com_state.setter
-    def com_state(self, arg1: typing.Any) -> None: ...
-    @property
-    def com_x_kd(self) -> typing.Any:
-        """
-        COM, forward; NaN: scaled with 1/T_c [1/s]
-        """
-    @com_x_kd.setter
-    def com_x_kd(self, arg1: typing.Any) -> None: ...
-    @property
-    def com_x_kp(self) -> typing.Any:
-        """
-        COM, forward; NaN: scaled with 1/T_c^2 [1/s^2]
-        """
-    @com_x_kp.setter
-    def com_x_kp(self, arg1: typing.Any) -> None: ...
-    @property
-    def com_y_kd(self) -> typing.Any:
-        """
-        COM, lateral [1/s]
-        """
-    @com_y_kd.setter
-    def com_y_kd(self, arg1: typing.Any) -> None: ...
-    @property
-    def com_y_kp(self) -> typing.Any:
-        """
-        COM, lateral [1/s^2]
-        """
-    @com_y_kp.setter
-    def com_y_kp(self, arg1: typing.Any) -> None: ...
-    @property
-    def com_z_kd(self) -> typing.Any:
-        """
-        COM, height [1/s]
-        """
-    @com_z_kd.setter
-    def com_z_kd(self, arg1: typing.Any) -> None: ...
-    @property
-    def com_z_kp(self) -> typing.Any:
-        """
-        COM, height [1/s^2]
-        """
-    @com_z_kp.setter
-    def com_z_kp(self, arg1: typing.Any) -> None: ...
-    @property
-    def contact_damping(self) -> typing.Any:
-        """
-        damping of the velocity of a standing foot that does not carry the ZMP: without load it would drift off the ground [1/s]
-        """
-    @contact_damping.setter
-    def contact_damping(self, arg1: typing.Any) -> None: ...
-    @property
-    def control_dt(self) -> typing.Any:
-        """
-        control period, a multiple of the model's time step; NaN: the model's time step [s]
-        """
-    @control_dt.setter
-    def control_dt(self, arg1: typing.Any) -> None: ...
-    @property
-    def crouch_limit(self) -> typing.Any:
-        """
-        how far the COM may come down for long steps; NaN: 0.1 of its height [m]
-        """
-    @crouch_limit.setter
-    def crouch_limit(self, arg1: typing.Any) -> None: ...
-    @property
-    def crouch_margin(self) -> typing.Any:
-        """
-        the COM comes down until the legs reach this many times as far as the feet are from the hips in double support
-        """
-    @crouch_margin.setter
-    def crouch_margin(self, arg1: typing.Any) -> None: ...
-    @property
-    def crouch_time(self) -> typing.Any:
-        """
-        time constant of that; NaN: 0.5 T_c [s]
-        """
-    @crouch_time.setter
-    def crouch_time(self, arg1: typing.Any) -> None: ...
-    @property
-    def fall_foot_tilt(self) -> typing.Any:
-        """
-        tilt of the foot that stands alone that counts as a fall [rad]
-        """
-    @fall_foot_tilt.setter
-    def fall_foot_tilt(self, arg1: typing.Any) -> None: ...
-    @property
-    def fall_height(self) -> typing.Any:
-        """
-        COM height over the support foot, as a share of the start's, that counts as a fall
-        """
-    @fall_height.setter
-    def fall_height(self, arg1: typing.Any) -> None: ...
-    @property
-    def fall_tilt(self) -> typing.Any:
-        """
-        trunk tilt that counts as a fall [rad]
-        """
-    @fall_tilt.setter
-    def fall_tilt(self, arg1: typing.Any) -> None: ...
-    @property
-    def feed_forward(self) -> typing.Any:
-        """
-        add the pendulum's acceleration to (8)
-        """
-    @feed_forward.setter
-    def feed_forward(self, arg1: typing.Any) -> None: ...
-    @property
-    def first_swing(self) -> typing.Any:
-        """
-        foot that swings first, 'right' or 'left'
-        """
-    @first_swing.setter
-    def first_swing(self, arg1: typing.Any) -> None: ...
-    @property
-    def foot_clearance(self) -> typing.Any:
-        """
-        least distance of the soles' edges sideways; NaN: 0.03 of the COM height [m]
-        """
-    @foot_clearance.setter
-    def foot_clearance(self, arg1: typing.Any) -> None: ...
-    @property
-    def foothold_freeze(self) -> typing.Any:
-        """
-        tied footholds: share of the single support after which the target stands
-        """
-    @foothold_freeze.setter
-    def foothold_freeze(self, arg1: typing.Any) -> None: ...
-    @property
-    def foothold_give(self) -> typing.Any:
-        """
-        tied footholds: an excess speed moves the DCM; up to this share of the bounds the ZMP of the next stance takes it up, what is more moves the foothold
-        """
-    @foothold_give.setter
-    def foothold_give(self, arg1: typing.Any) -> None: ...
-    @property
-    def foothold_reach(self) -> typing.Any:
-        """
-        tied footholds: largest distance from the nominal foothold; NaN: 0.25 of the COM height [m]
-        """
-    @foothold_reach.setter
-    def foothold_reach(self, arg1: typing.Any) -> None: ...
-    @property
-    def foothold_time(self) -> typing.Any:
-        """
-        tied footholds: time constant of the low-pass on the target; NaN: 0.18 T_c [s]
-        """
-    @foothold_time.setter
-    def foothold_time(self, arg1: typing.Any) -> None: ...
-    @property
-    def footsteps(self) -> typing.Any:
-        """
-        'tied' to the COM, 'absolute', 'paper', 'printed' or 'list' (step_lengths)
-        """
-    @footsteps.setter
-    def footsteps(self, arg1: typing.Any) -> None: ...
-    @property
-    def forward_acceleration(self) -> typing.Any:
-        """
-        at which v_x grows beyond that; NaN: 0.02 g [m/s^2]
-        """
-    @forward_acceleration.setter
-    def forward_acceleration(self, arg1: typing.Any) -> None: ...
-    @property
-    def forward_deceleration(self) -> typing.Any:
-        """
-        at which v_x goes back to zero; NaN: 0.056 g [m/s^2]
-        """
-    @forward_deceleration.setter
-    def forward_deceleration(self, arg1: typing.Any) -> None: ...
-    @property
-    def forward_jump(self) -> typing.Any:
-        """
-        change of v_x that passes at once; NaN: 0.036 of sqrt(g COM height) [m/s]
-        """
-    @forward_jump.setter
-    def forward_jump(self, arg1: typing.Any) -> None: ...
-    @property
-    def friction_velocity(self) -> typing.Any:
-        """
-        joint speed below which dry friction is taken as proportional to speed [rad/s]
-        """
-    @friction_velocity.setter
-    def friction_velocity(self, arg1: typing.Any) -> None: ...
-    @property
-    def iteration(self) -> typing.Any:
-        """
-        how the reference ZMP is found: 'closed_form' or 'loop' (III-B), or 'none': the desired ZMP as the pendulum has it, the estimate changes nothing
-        """
-    @iteration.setter
-    def iteration(self, arg1: typing.Any) -> None: ...
-    @property
-    def kernel(self) -> typing.Any:
-        """
-        build of the inner loops: 'auto', the best that this processor runs, or one of build_info()['kernels']
-        """
-    @kernel.setter
-    def kernel(self, arg1: typing.Any) -> None: ...
-    @property
-    def lateral_feedback(self) -> typing.Any:
-        """
-        shift the lateral reference ZMP so that the orbit repeats; False: (17) alone
-        """
-    @lateral_feedback.setter
-    def lateral_feedback(self, arg1: typing.Any) -> None: ...
-    @property
-    def lateral_reach(self) -> typing.Any:
-        """
-        largest such shift, as a share of the half sole width
-        """
-    @lateral_reach.setter
-    def lateral_reach(self, arg1: typing.Any) -> None: ...
     @property
     def law(self) -> str:
         """
         preset this started from
         """
+    def __init__(
+        self,
+        law: str = "default",
+        *,
+        gait: GaitSettings | GaitSettingsDict = ...,
+        T_ds: float = ...,
+        T_ss: float = ...,
+        T_ds_first: float = ...,
+        first_swing: typing.Literal["right", "left"] = ...,
+        cadence_speed: float = ...,
+        cadence_exponent: float = ...,
+        cadence_double: float = ...,
+        cadence_sideways: float = ...,
+        cadence_turning: float = ...,
+        stand: bool = ...,
+        stand_gain: float = ...,
+        closing_reach: float = ...,
+        closing_turn: float = ...,
+        steps: StepsSettings | StepsSettingsDict = ...,
+        footsteps: typing.Literal["tied", "absolute", "paper", "printed", "list"] | typing.Sequence[float] = ...,
+        step_lengths: typing.Sequence[float] = ...,
+        step_width: float = ...,
+        foot_clearance: float = ...,
+        foothold_reach: float = ...,
+        foothold_time: float = ...,
+        foothold_give: float = ...,
+        foothold_freeze: float = ...,
+        capture_reach: float = ...,
+        capture_speed: float = ...,
+        swing: SwingSettings | SwingSettingsDict = ...,
+        step_height: float = ...,
+        swing_feed_forward: bool = ...,
+        swing_kp: float = ...,
+        swing_kd: float = ...,
+        com: ComSettings | ComSettingsDict = ...,
+        com_state: typing.Literal["measured", "desired"] = ...,
+        feed_forward: bool = ...,
+        com_x_kp: float = ...,
+        com_x_kd: float = ...,
+        com_y_kp: float = ...,
+        com_y_kd: float = ...,
+        com_z_kp: float = ...,
+        com_z_kd: float = ...,
+        com_lead: float = ...,
+        least_knee: float = ...,
+        crouch_limit: float = ...,
+        crouch_margin: float = ...,
+        crouch_time: float = ...,
+        zmp: ZmpSettings | ZmpSettingsDict = ...,
+        zmp_modification: bool = ...,
+        iteration: typing.Literal["closed_form", "loop", "none"] = ...,
+        zmp_threshold: float = ...,
+        max_iterations: int = ...,
+        sole_fraction: float = ...,
+        sole_exponent: float = ...,
+        ankle_torque_fraction: float = ...,
+        bound_lateral: bool = ...,
+        lateral_feedback: bool = ...,
+        lateral_reach: float = ...,
+        tracking: TrackingSettings | TrackingSettingsDict = ...,
+        tracker: typing.Literal["smooth", "bang_bang"] = ...,
+        tracker_gain: float = ...,
+        tracker_time: float = ...,
+        tracker_reach: float = ...,
+        tracker_deadband: float = ...,
+        rate: RateSettings | RateSettingsDict = ...,
+        rate_limit: bool = ...,
+        forward_jump: float = ...,
+        sideways_jump: float = ...,
+        turning_jump: float = ...,
+        forward_acceleration: float = ...,
+        forward_deceleration: float = ...,
+        sideways_acceleration: float = ...,
+        turning_acceleration: float = ...,
+        trunk: TrunkSettings | TrunkSettingsDict = ...,
+        trunk_kp: float = ...,
+        trunk_kd: float = ...,
+        posture: PostureSettings | PostureSettingsDict = ...,
+        posture_task: bool = ...,
+        posture_kp: float = ...,
+        posture_kd: float = ...,
+        motion_blend: float = ...,
+        arms: ArmsSettings | ArmsSettingsDict = ...,
+        momentum_arms: float = ...,
+        momentum_kp: float = ...,
+        momentum_kd: float = ...,
+        contact: ContactSettings | ContactSettingsDict = ...,
+        wrench_distribution: bool = ...,
+        load_alone: float = ...,
+        contact_damping: float = ...,
+        control: ControlSettings | ControlSettingsDict = ...,
+        control_dt: float = ...,
+        textbook: bool = ...,
+        singular_damping: float = ...,
+        singular_pivot: float = ...,
+        friction_velocity: float = ...,
+        kernel: str = ...,
+        torque_limits: typing.Mapping[str, float] = ...,
+        fall: FallSettings | FallSettingsDict = ...,
+        fall_height: float = ...,
+        fall_tilt: float = ...,
+        fall_foot_tilt: float = ...,
+    ) -> None:
+        """Every gain, bound and switch of the walk, in groups: `settings.tracking.gain`.
+
+        Each setting has one word as well (in brackets below), which does the same as keyword, attribute and in files.
+        NaN means 'from the robot': WalkingController fills it in. Defaults scale with the height z_c of the COM over
+        the soles at the start, with gravity g, and with T_c = sqrt(z_c / g), the time constant in which the robot would
+        fall over.
+
+        Args:
+            law: preset, 'default' or 'paper' (the literal law of the paper).
+            gait: When a foot is lifted and set down, and when the robot stands. A dict, or GaitSettings.
+                T_ds (T_ds): Double support time of a step: how long both feet stand between two swings. Unit: s. Default: 0.2 of a step's period, which is 0.8 s sqrt(z_c / 0.747 m).
+                T_ss (T_ss): Single support time of a step: how long one foot is in the air. Unit: s. Default: 0.8 of a step's period, which is 0.8 s sqrt(z_c / 0.747 m).
+                T_ds_first (T_ds_first): Length of the first double support, in which the COM leaves its rest. With the default its sway is the steady one from the first step on. Unit: s. Default: the time in which a COM at rest takes up the sway of the steady walk.
+                first_swing (first_swing): Foot that takes the first step. One of 'right', 'left'. Default: 'right'.
+                cadence_speed (cadence_speed): Speed up to which every step takes T_ss + T_ds, and a faster walk takes longer steps. Above it the steps come faster as well. Unit: m/s. Default: 0.1 sqrt(g z_c).
+                cadence_exponent (cadence_exponent): How much faster steps come above cadence_speed: a step takes (cadence_speed / speed)^cadence_exponent of T_ss + T_ds. With 0 all steps take the same time. Default: 0.4, or 0 where a list sets the lengths of the steps.
+                cadence_double (cadence_double): How much the double support's share of a step shrinks above cadence_speed: as (cadence_speed / speed)^cadence_double. With 0 the share stays. Default: 0.5.
+                cadence_sideways (cadence_sideways): Weight of the sideways velocity in the speed that is compared with cadence_speed: 1 m/s sideways counts as this many m/s forward. Default: 3.0.
+                cadence_turning (cadence_turning): Weight of turning in the speed that is compared with cadence_speed: 1 rad/s counts as this many m/s forward. Unit: m/rad. Default: 0.54 z_c.
+                stand (stand): Whether the robot stands still, feet side by side, while the planned velocity is zero. With false it steps on the spot. Default: True.
+                stand_gain (stand_gain): How hard a standing robot is brought back over the middle between its feet: the ZMP goes beyond the DCM (COM + T_c times its velocity) by this many times the DCM's distance from the middle. Default: 1.0.
+                closing_distance (closing_reach): A walk ends with a step that sets the foot beside the other one. That step is taken once the DCM (COM + T_c times its velocity) will be this near to the standing foot at its end. Unit: m. Default: 0.1 z_c.
+                closing_turn (closing_turn): A walk ends with a step that sets the foot beside the other one. That step is taken only where the headings of the path and of the standing foot differ by no more than this. Unit: rad. Default: 0.05.
+            steps: Where the feet are set down. A dict, or StepsSettings.
+                mode (footsteps): What decides where a foot lands: 'tied' follows the COM, which keeps the walk balanced; 'absolute' takes the places of the plan; 'paper' and 'printed' take the step lengths of section IV, corrected and as printed; 'list' takes steps.lengths. Python and files take a list of lengths here as well. One of 'tied', 'absolute', 'paper', 'printed', 'list'. Default: 'tied'.
+                lengths (step_lengths): How far each step lands ahead of the standing foot, one number per step; the last one repeats. Tied footsteps do not use it. Unit: m. Default: [].
+                width (step_width): Distance of the two feet from each other, sideways. Unit: m. Default: as the feet stand at the start.
+                clearance (foot_clearance): Least gap that a step leaves between the edges of the two soles, sideways. Unit: m. Default: 0.03 z_c.
+                reach (foothold_reach): How far a tied foothold may be moved from its nominal place to keep the robot balanced. Unit: m. Default: 0.25 z_c.
+                filter_time (foothold_time): Time constant of the low-pass through which a tied foothold moves while the foot is in the air. Unit: s. Default: 0.18 T_c.
+                give (foothold_give): A COM that is faster or slower than planned needs another foothold or another ZMP. Up to this share of its bounds the ZMP over the next foot makes up for it; only the rest moves a tied foothold. With 0 each long step would be followed by a short one. Default: 0.3.
+                freeze (foothold_freeze): Share of the single support after which a tied foothold stays where it is, so that the foot lands calmly. Default: 0.7.
+                capture_distance (capture_reach): How far the DCM (COM + T_c times its velocity) may be from its planned place when the next foot takes over, with tied footsteps. Beyond that the tracked speed yields, so that the next step still catches the robot. Unit: m. Default: 0.07 z_c.
+                capture_speed (capture_speed): Most that the tracked speed yields, either way, to keep the DCM within capture_distance of its plan. Unit: m/s. Default: 0.2 sqrt(g z_c).
+            swing: How the foot in the air moves. A dict, or SwingSettings.
+                height (step_height): Height to which a step lifts the foot. Unit: m. Default: 0.0535 z_c, or less (down to 0.01 z_c) where the knee's rotor and damping would take over 0.6 of its torque at the walk's top speed.
+                feed_forward (swing_feed_forward): Whether the acceleration of the planned swing is added to that which corrects the foot's error. Without it the foot lags behind its path. Default: True.
+                kp (swing_kp): Stiffness with which the foot in the air is held on its path: acceleration per error, in position and orientation. Unit: 1/s^2. Default: 3600 (0.276 s / T_c)^2.
+                kd (swing_kd): Damping with which the foot in the air is held on its path: acceleration per velocity error, in position and orientation. Unit: 1/s. Default: 120 (0.276 s / T_c).
+            com: How the centre of mass (COM) is moved: forward, sideways and in height. A dict, or ComSettings.
+                state (com_state): What counts as the COM's current state in the pendulum (16), (17): the 'measured' one, or the one that was 'desired' in the cycle before. One of 'measured', 'desired'. Default: 'measured'.
+                feed_forward (feed_forward): Whether the pendulum's acceleration is added to the COM's commanded acceleration (8). Without it the COM is one cycle late and takes stiffer gains. Default: True.
+                kp_x (com_x_kp): Stiffness of the COM's motion forward: acceleration per position error in (8). Unit: 1/s^2. Default: 100 (0.276 s / T_c)^2.
+                kd_x (com_x_kd): Damping of the COM's motion forward: acceleration per velocity error in (8). Unit: 1/s. Default: 20 (0.276 s / T_c).
+                kp_y (com_y_kp): Stiffness of the COM's motion sideways: acceleration per position error in (8). Unit: 1/s^2. Default: 100 (0.276 s / T_c)^2.
+                kd_y (com_y_kd): Damping of the COM's motion sideways: acceleration per velocity error in (8). Unit: 1/s. Default: 20 (0.276 s / T_c).
+                kp_z (com_z_kp): Stiffness of the COM's height: acceleration per position error in (8). Unit: 1/s^2. Default: 200 (0.276 s / T_c)^2.
+                kd_z (com_z_kd): Damping of the COM's height: acceleration per velocity error in (8). Unit: 1/s. Default: 28 (0.276 s / T_c).
+                lead (com_lead): How far the COM rides ahead of the middle between the feet, with tied footsteps. So a foot that has just landed is not loaded on its heel, where the contact settles slowly. Unit: m. Default: 0.0134 z_c.
+                least_knee (least_knee): Smallest knee angle that the plan allows, so that no leg becomes straight. It leaves room for what the plan does not know: swing leg and pelvis move the hips against the COM. Unit: rad. Default: 0.3.
+                crouch_limit (crouch_limit): How far the COM may come down so that the legs reach far enough for long steps. Unit: m. Default: 0.1 z_c.
+                crouch_margin (crouch_margin): For long steps the COM comes down until the legs reach this many times as far as the feet are from under the hips in double support. Default: 1.2.
+                crouch_time (crouch_time): Time constant with which the COM comes down for long steps and rises after them. Unit: s. Default: 0.5 T_c.
+            zmp: Where the ZMP may be, and how the reference ZMP is found that puts it there (III-B, III-D). A dict, or ZmpSettings.
+                modification (zmp_modification): Whether the estimated ZMP is kept inside its bounds (III-B, III-C). With false the planned velocity is tracked blindly. Default: True.
+                iteration (iteration): How the reference ZMP is found that puts the estimated ZMP where it is desired: in 'closed_form', or by the 'loop' that III-B prints. With 'none' the pendulum's ZMP is taken as it is, and the estimate changes nothing. One of 'closed_form', 'loop', 'none'. Default: 'closed_form'.
+                threshold (zmp_threshold): The reference ZMP is good enough once the estimated ZMP is this near to the desired one (section IV). Unit: m. Default: 0.001.
+                max_iterations (max_iterations): Most passes of the loop of III-B in one control cycle, which then goes on with what it has. Default: 200.
+                sole_fraction (sole_fraction): Share of the sole's length and width that the ZMP may use. The rest is a margin: a foot whose ZMP is at its edge tips. Default: 0.72.
+                sole_exponent (sole_exponent): How much less of the sole's length the ZMP uses above cadence_speed: (cadence_speed / speed)^sole_exponent of it. At the sole's ends the contact of a fast walk chatters. Default: 0.5.
+                ankle_torque_fraction (ankle_torque_fraction): Share of an ankle's torque limit that may hold the ZMP away from the ankle. Where ankles are weak this, not the sole, bounds the ZMP. Default: 0.9.
+                bound_lateral (bound_lateral): Whether the ZMP is kept inside its bounds sideways too. The paper bounds it forward only. Default: True.
+                lateral_feedback (lateral_feedback): Whether the reference ZMP is shifted sideways so that the sway repeats (III-D). With false the sway follows (17) alone, and an error at the start never decays. Default: True.
+                lateral_shift (lateral_reach): Largest sideways shift of the reference ZMP that makes the sway repeat, as a share of half the sole's width. Default: 0.4.
+            tracking: How the walk follows the planned velocity (III-C). A dict, or TrackingSettings.
+                law (tracker): Law by which the COM's velocity follows the planned one: 'smooth' accelerates in proportion to the error, 'bang_bang' drives the ZMP to its bounds until the error is gone, as III-C is printed. One of 'smooth', 'bang_bang'. Default: 'smooth'.
+                gain (tracker_gain): How fast the smooth law makes up lost way: speed that it adds per metre behind the plan. Unit: 1/s. Default: 1.38 / T_c.
+                time (tracker_time): Time constant with which the smooth law removes an error of the speed. Unit: s. Default: 0.18 T_c.
+                catch_up_speed (tracker_reach): Largest speed that the smooth law adds or takes away to make up lost or gained way. Feet cannot make up a long way in one step. Unit: m/s. Default: 0.03 sqrt(g z_c).
+                deadband (tracker_deadband): How far the COM may be ahead of its plan or behind it before the bang-bang law drives it back. A drive ends a little beyond the plan, since time is discrete; without a deadband that would start the next drive. Unit: m. Default: 0.0002.
+            rate: How fast the planned velocity may change, whatever a profile or command asks for at once. A dict, or RateSettings.
+                limit (rate_limit): Whether the planned velocity changes no faster than steps can follow. With false profiles and commands are taken as they are. Default: True.
+                forward_jump (forward_jump): Change of the forward velocity v_x that is taken up at once. A larger one follows at forward_acceleration or forward_deceleration. Unit: m/s. Default: 0.036 sqrt(g z_c).
+                sideways_jump (sideways_jump): Change of the sideways velocity v_y that is taken up at once. A larger one follows at sideways_acceleration. Unit: m/s. Default: 0.03 sqrt(g z_c).
+                turning_jump (turning_jump): Change of the turning velocity w_z that is taken up at once. A larger one follows at turning_acceleration. Unit: rad/s. Default: 0.07 / T_c.
+                forward_acceleration (forward_acceleration): Rate at which the forward velocity v_x moves away from zero. Unit: m/s^2. Default: 0.02 g.
+                forward_deceleration (forward_deceleration): Rate at which the forward velocity v_x goes back to zero. Unit: m/s^2. Default: 0.056 g.
+                sideways_acceleration (sideways_acceleration): Rate at which the sideways velocity v_y changes. Unit: m/s^2. Default: 0.025 g.
+                turning_acceleration (turning_acceleration): Rate at which the turning velocity w_z changes. Unit: rad/s^2. Default: 0.08 / T_c^2.
+            trunk: How the trunk is kept upright and along the path. A dict, or TrunkSettings.
+                kp (trunk_kp): Stiffness of the trunk's orientation: angular acceleration per angle of error. Unit: 1/s^2. Default: 300 (0.276 s / T_c)^2.
+                kd (trunk_kd): Damping of the trunk's orientation: angular acceleration per error of angular velocity. Unit: 1/s. Default: 35 (0.276 s / T_c).
+            posture: How the joints outside the legs (waist, arms, head) are moved. A dict, or PostureSettings.
+                task (posture_task): Whether the joints outside the legs are controlled. With false their motion is left to the torque of least norm. Default: True.
+                kp (posture_kp): Stiffness of the joints outside the legs: acceleration per angle of error. Unit: 1/s^2. Default: 100 (0.276 s / T_c)^2.
+                kd (posture_kd): Damping of the joints outside the legs: acceleration per error of joint velocity. Unit: 1/s. Default: 20 (0.276 s / T_c).
+                motion_blend (motion_blend): Time in which a new joint motion takes over from the one before it. Unit: s. Default: 1.8 T_c.
+            arms: How the arms swing so that the robot does not turn about the vertical. A dict, or ArmsSettings.
+                momentum (momentum_arms): Share of the yaw momentum of legs and trunk that the arms cancel by swinging, 0 to 1. Joints that a motion names do not swing. Default: 0.0.
+                kp (momentum_kp): Stiffness of the spring that brings swinging arms back to their posture: acceleration per angle. Unit: 1/s^2. Default: 20 (0.276 s / T_c)^2.
+                kd (momentum_kd): Rate at which swinging arms bring the robot's yaw momentum to zero. Unit: 1/s. Default: 20 (0.276 s / T_c).
+            contact: How the feet that stand carry the robot. A dict, or ContactSettings.
+                wrench_distribution (wrench_distribution): Whether two standing feet share the load by the place of the ZMP between them. With false the torque of least norm decides, which ignores that feet cannot pull. Default: True.
+                load_alone (load_alone): In double support one foot carries everything while the ZMP is this near to its centre line, in half sole widths. A foot that has just landed would chatter under a light load. Default: 0.7.
+                damping (contact_damping): Damping of the velocity of a standing foot that does not carry the ZMP. Without a load it would drift off the ground. Unit: 1/s. Default: 100.0.
+            control: How the torque is computed, how often, and within which limits. A dict, or ControlSettings.
+                dt (control_dt): Control period: a new torque is computed this often and held in between. It must be a multiple of the model's time step. Unit: s. Default: the model's time step.
+                textbook (textbook): Whether equations (1) to (13) are computed as printed instead of on the direct path. It is slower and gives the same numbers. Default: False.
+                singular_damping (singular_damping): Damping that keeps the joints' motion bounded where a leg is straight. Default: 0.001.
+                singular_pivot (singular_pivot): Smallest pivot of a leg's equations below which that leg counts as straight. Default: 0.01.
+                friction_velocity (friction_velocity): Joint speed below which dry friction is taken as proportional to the speed, so that it does not jump where a joint turns around. Unit: rad/s. Default: 0.02.
+                kernel (kernel): Build of the inner loops: 'auto' takes the best that this processor runs, and build_info()['kernels'] names those that there are. They agree to rounding. Default: 'auto'.
+                torque_limits (torque_limits): Torque limits by joint name, in place of the robot's own. A motor still gives no more than the model lets through. Unit: N m. Default: {}.
+            fall: What counts as a fall, which ends the run. A dict, or FallSettings.
+                height (fall_height): The robot has fallen where its COM is less high over the support foot than this share of its height at the start. Default: 0.8.
+                tilt (fall_tilt): The robot has fallen where its trunk tilts by more than this. Unit: rad. Default: 0.8.
+                foot_tilt (fall_foot_tilt): The robot has fallen where the only foot that stands tilts by more than this, as it tips over its edge. Unit: rad. Default: 0.3.
+
+        Raises:
+            InputError: an unknown name or a value of the wrong type.
+
+        Usage:
+            >>> WalkSettings(law='paper', steps={'mode': 'absolute', 'width': 0.2}, tracker_gain=4.0)
+        """
+    def update(
+        self,
+        *,
+        gait: GaitSettings | GaitSettingsDict = ...,
+        T_ds: float = ...,
+        T_ss: float = ...,
+        T_ds_first: float = ...,
+        first_swing: typing.Literal["right", "left"] = ...,
+        cadence_speed: float = ...,
+        cadence_exponent: float = ...,
+        cadence_double: float = ...,
+        cadence_sideways: float = ...,
+        cadence_turning: float = ...,
+        stand: bool = ...,
+        stand_gain: float = ...,
+        closing_reach: float = ...,
+        closing_turn: float = ...,
+        steps: StepsSettings | StepsSettingsDict = ...,
+        footsteps: typing.Literal["tied", "absolute", "paper", "printed", "list"] | typing.Sequence[float] = ...,
+        step_lengths: typing.Sequence[float] = ...,
+        step_width: float = ...,
+        foot_clearance: float = ...,
+        foothold_reach: float = ...,
+        foothold_time: float = ...,
+        foothold_give: float = ...,
+        foothold_freeze: float = ...,
+        capture_reach: float = ...,
+        capture_speed: float = ...,
+        swing: SwingSettings | SwingSettingsDict = ...,
+        step_height: float = ...,
+        swing_feed_forward: bool = ...,
+        swing_kp: float = ...,
+        swing_kd: float = ...,
+        com: ComSettings | ComSettingsDict = ...,
+        com_state: typing.Literal["measured", "desired"] = ...,
+        feed_forward: bool = ...,
+        com_x_kp: float = ...,
+        com_x_kd: float = ...,
+        com_y_kp: float = ...,
+        com_y_kd: float = ...,
+        com_z_kp: float = ...,
+        com_z_kd: float = ...,
+        com_lead: float = ...,
+        least_knee: float = ...,
+        crouch_limit: float = ...,
+        crouch_margin: float = ...,
+        crouch_time: float = ...,
+        zmp: ZmpSettings | ZmpSettingsDict = ...,
+        zmp_modification: bool = ...,
+        iteration: typing.Literal["closed_form", "loop", "none"] = ...,
+        zmp_threshold: float = ...,
+        max_iterations: int = ...,
+        sole_fraction: float = ...,
+        sole_exponent: float = ...,
+        ankle_torque_fraction: float = ...,
+        bound_lateral: bool = ...,
+        lateral_feedback: bool = ...,
+        lateral_reach: float = ...,
+        tracking: TrackingSettings | TrackingSettingsDict = ...,
+        tracker: typing.Literal["smooth", "bang_bang"] = ...,
+        tracker_gain: float = ...,
+        tracker_time: float = ...,
+        tracker_reach: float = ...,
+        tracker_deadband: float = ...,
+        rate: RateSettings | RateSettingsDict = ...,
+        rate_limit: bool = ...,
+        forward_jump: float = ...,
+        sideways_jump: float = ...,
+        turning_jump: float = ...,
+        forward_acceleration: float = ...,
+        forward_deceleration: float = ...,
+        sideways_acceleration: float = ...,
+        turning_acceleration: float = ...,
+        trunk: TrunkSettings | TrunkSettingsDict = ...,
+        trunk_kp: float = ...,
+        trunk_kd: float = ...,
+        posture: PostureSettings | PostureSettingsDict = ...,
+        posture_task: bool = ...,
+        posture_kp: float = ...,
+        posture_kd: float = ...,
+        motion_blend: float = ...,
+        arms: ArmsSettings | ArmsSettingsDict = ...,
+        momentum_arms: float = ...,
+        momentum_kp: float = ...,
+        momentum_kd: float = ...,
+        contact: ContactSettings | ContactSettingsDict = ...,
+        wrench_distribution: bool = ...,
+        load_alone: float = ...,
+        contact_damping: float = ...,
+        control: ControlSettings | ControlSettingsDict = ...,
+        control_dt: float = ...,
+        textbook: bool = ...,
+        singular_damping: float = ...,
+        singular_pivot: float = ...,
+        friction_velocity: float = ...,
+        kernel: str = ...,
+        torque_limits: typing.Mapping[str, float] = ...,
+        fall: FallSettings | FallSettingsDict = ...,
+        fall_height: float = ...,
+        fall_tilt: float = ...,
+        fall_foot_tilt: float = ...,
+    ) -> None:
+        """Changes settings, named as in the constructor: all of them or, if one is refused, none.
+
+        Raises:
+            InputError: an unknown name or a value of the wrong type.
+
+        Usage: `settings.update(tracking={'gain': 3.0}, T_ss=0.6)`
+        """
+    @staticmethod
+    def table() -> dict[str, Setting]:
+        """Every setting, as a `Setting` by its path such as 'tracking.gain'."""
     @property
-    def least_knee(self) -> typing.Any:
-        """
-        knee angle that the plan keeps: room for what it does not know, as swing leg and pelvis move the hips against the COM [rad]
-        """
-    @least_knee.setter
-    def least_knee(self, arg1: typing.Any) -> None: ...
+    def gait(self) -> GaitSettings:
+        """When a foot is lifted and set down, and when the robot stands."""
+    @gait.setter
+    def gait(self, value: GaitSettings | GaitSettingsDict) -> None: ...
     @property
-    def load_alone(self) -> typing.Any:
-        """
-        double support: while the ZMP is this near to a sole's centre line, in half sole widths, that foot carries everything: a foot that just landed chatters under a light load
-        """
-    @load_alone.setter
-    def load_alone(self, arg1: typing.Any) -> None: ...
+    def steps(self) -> StepsSettings:
+        """Where the feet are set down."""
+    @steps.setter
+    def steps(self, value: StepsSettings | StepsSettingsDict) -> None: ...
     @property
-    def max_iterations(self) -> typing.Any:
-        """
-        bound of the loop
-        """
-    @max_iterations.setter
-    def max_iterations(self, arg1: typing.Any) -> None: ...
+    def swing(self) -> SwingSettings:
+        """How the foot in the air moves."""
+    @swing.setter
+    def swing(self, value: SwingSettings | SwingSettingsDict) -> None: ...
     @property
-    def momentum_arms(self) -> typing.Any:
-        """
-        share of the yaw momentum of legs and trunk that the arms swing to cancel, 0 to 1; joints that a motion names do not swing
-        """
-    @momentum_arms.setter
-    def momentum_arms(self, arg1: typing.Any) -> None: ...
+    def com(self) -> ComSettings:
+        """How the centre of mass (COM) is moved: forward, sideways and in height."""
+    @com.setter
+    def com(self, value: ComSettings | ComSettingsDict) -> None: ...
     @property
-    def momentum_kd(self) -> typing.Any:
-        """
-        swinging arms: rate at which the robot's yaw momentum is brought to zero [1/s]
-        """
-    @momentum_kd.setter
-    def momentum_kd(self, arg1: typing.Any) -> None: ...
+    def zmp(self) -> ZmpSettings:
+        """Where the ZMP may be, and how the reference ZMP is found that puts it there (III-B, III-D)."""
+    @zmp.setter
+    def zmp(self, value: ZmpSettings | ZmpSettingsDict) -> None: ...
     @property
-    def momentum_kp(self) -> typing.Any:
-        """
-        swinging arms: spring to the posture [1/s^2]
-        """
-    @momentum_kp.setter
-    def momentum_kp(self, arg1: typing.Any) -> None: ...
+    def tracking(self) -> TrackingSettings:
+        """How the walk follows the planned velocity (III-C)."""
+    @tracking.setter
+    def tracking(self, value: TrackingSettings | TrackingSettingsDict) -> None: ...
     @property
-    def motion_blend(self) -> typing.Any:
-        """
-        time in which a joint motion takes over from the reference before it; NaN: 1.8 T_c [s]
-        """
-    @motion_blend.setter
-    def motion_blend(self, arg1: typing.Any) -> None: ...
+    def rate(self) -> RateSettings:
+        """How fast the planned velocity may change, whatever a profile or command asks for at once."""
+    @rate.setter
+    def rate(self, value: RateSettings | RateSettingsDict) -> None: ...
     @property
-    def posture_kd(self) -> typing.Any:
-        """
-        joints that are in no leg [1/s]
-        """
-    @posture_kd.setter
-    def posture_kd(self, arg1: typing.Any) -> None: ...
+    def trunk(self) -> TrunkSettings:
+        """How the trunk is kept upright and along the path."""
+    @trunk.setter
+    def trunk(self, value: TrunkSettings | TrunkSettingsDict) -> None: ...
     @property
-    def posture_kp(self) -> typing.Any:
-        """
-        joints that are in no leg [1/s^2]
-        """
-    @posture_kp.setter
-    def posture_kp(self, arg1: typing.Any) -> None: ...
+    def posture(self) -> PostureSettings:
+        """How the joints outside the legs (waist, arms, head) are moved."""
+    @posture.setter
+    def posture(self, value: PostureSettings | PostureSettingsDict) -> None: ...
     @property
-    def posture_task(self) -> typing.Any:
-        """
-        stack the posture of waist and arms
-        """
-    @posture_task.setter
-    def posture_task(self, arg1: typing.Any) -> None: ...
+    def arms(self) -> ArmsSettings:
+        """How the arms swing so that the robot does not turn about the vertical."""
+    @arms.setter
+    def arms(self, value: ArmsSettings | ArmsSettingsDict) -> None: ...
     @property
-    def rate_limit(self) -> typing.Any:
-        """
-        limit how fast the planned velocity changes; False: take profiles as they are
-        """
-    @rate_limit.setter
-    def rate_limit(self, arg1: typing.Any) -> None: ...
+    def contact(self) -> ContactSettings:
+        """How the feet that stand carry the robot."""
+    @contact.setter
+    def contact(self, value: ContactSettings | ContactSettingsDict) -> None: ...
     @property
-    def sideways_acceleration(self) -> typing.Any:
-        """
-        at which v_y follows beyond that; NaN: 0.025 g [m/s^2]
-        """
-    @sideways_acceleration.setter
-    def sideways_acceleration(self, arg1: typing.Any) -> None: ...
+    def control(self) -> ControlSettings:
+        """How the torque is computed, how often, and within which limits."""
+    @control.setter
+    def control(self, value: ControlSettings | ControlSettingsDict) -> None: ...
     @property
-    def sideways_jump(self) -> typing.Any:
-        """
-        change of v_y that passes at once; NaN: 0.03 of sqrt(g COM height) [m/s]
-        """
-    @sideways_jump.setter
-    def sideways_jump(self, arg1: typing.Any) -> None: ...
+    def fall(self) -> FallSettings:
+        """What counts as a fall, which ends the run."""
+    @fall.setter
+    def fall(self, value: FallSettings | FallSettingsDict) -> None: ...
     @property
-    def singular_damping(self) -> typing.Any:
-        """
-        damping of the motion where a leg is straight
-        """
-    @singular_damping.setter
-    def singular_damping(self, arg1: typing.Any) -> None: ...
+    def T_ds(self) -> float:
+        """gait.T_ds: Double support time of a step: how long both feet stand between two swings. Unit: s. Default: 0.2 of a step's period, which is 0.8 s sqrt(z_c / 0.747 m)."""
+    @T_ds.setter
+    def T_ds(self, value: float) -> None: ...
     @property
-    def singular_pivot(self) -> typing.Any:
-        """
-        pivot below which a leg counts as straight
-        """
-    @singular_pivot.setter
-    def singular_pivot(self, arg1: typing.Any) -> None: ...
+    def T_ss(self) -> float:
+        """gait.T_ss: Single support time of a step: how long one foot is in the air. Unit: s. Default: 0.8 of a step's period, which is 0.8 s sqrt(z_c / 0.747 m)."""
+    @T_ss.setter
+    def T_ss(self, value: float) -> None: ...
     @property
-    def sole_exponent(self) -> typing.Any:
-        """
-        above cadence_speed the ZMP uses less of the sole's length, as (cadence_speed / speed)^sole_exponent: at its edges the contact chatters
-        """
-    @sole_exponent.setter
-    def sole_exponent(self, arg1: typing.Any) -> None: ...
+    def T_ds_first(self) -> float:
+        """gait.T_ds_first: Length of the first double support, in which the COM leaves its rest. With the default its sway is the steady one from the first step on. Unit: s. Default: the time in which a COM at rest takes up the sway of the steady walk."""
+    @T_ds_first.setter
+    def T_ds_first(self, value: float) -> None: ...
     @property
-    def sole_fraction(self) -> typing.Any:
-        """
-        share of the sole that the ZMP may use
-        """
-    @sole_fraction.setter
-    def sole_fraction(self, arg1: typing.Any) -> None: ...
+    def first_swing(self) -> typing.Literal["right", "left"]:
+        """gait.first_swing: Foot that takes the first step. One of 'right', 'left'. Default: 'right'."""
+    @first_swing.setter
+    def first_swing(self, value: typing.Literal["right", "left"]) -> None: ...
     @property
-    def stand(self) -> typing.Any:
-        """
-        stand, feet side by side, while the profile is zero; False: step on the spot
-        """
+    def cadence_speed(self) -> float:
+        """gait.cadence_speed: Speed up to which every step takes T_ss + T_ds, and a faster walk takes longer steps. Above it the steps come faster as well. Unit: m/s. Default: 0.1 sqrt(g z_c)."""
+    @cadence_speed.setter
+    def cadence_speed(self, value: float) -> None: ...
+    @property
+    def cadence_exponent(self) -> float:
+        """gait.cadence_exponent: How much faster steps come above cadence_speed: a step takes (cadence_speed / speed)^cadence_exponent of T_ss + T_ds. With 0 all steps take the same time. Default: 0.4, or 0 where a list sets the lengths of the steps."""
+    @cadence_exponent.setter
+    def cadence_exponent(self, value: float) -> None: ...
+    @property
+    def cadence_double(self) -> float:
+        """gait.cadence_double: How much the double support's share of a step shrinks above cadence_speed: as (cadence_speed / speed)^cadence_double. With 0 the share stays. Default: 0.5."""
+    @cadence_double.setter
+    def cadence_double(self, value: float) -> None: ...
+    @property
+    def cadence_sideways(self) -> float:
+        """gait.cadence_sideways: Weight of the sideways velocity in the speed that is compared with cadence_speed: 1 m/s sideways counts as this many m/s forward. Default: 3.0."""
+    @cadence_sideways.setter
+    def cadence_sideways(self, value: float) -> None: ...
+    @property
+    def cadence_turning(self) -> float:
+        """gait.cadence_turning: Weight of turning in the speed that is compared with cadence_speed: 1 rad/s counts as this many m/s forward. Unit: m/rad. Default: 0.54 z_c."""
+    @cadence_turning.setter
+    def cadence_turning(self, value: float) -> None: ...
+    @property
+    def stand(self) -> bool:
+        """gait.stand: Whether the robot stands still, feet side by side, while the planned velocity is zero. With false it steps on the spot. Default: True."""
     @stand.setter
-    def stand(self, arg1: typing.Any) -> None: ...
+    def stand(self, value: bool) -> None: ...
     @property
-    def stand_gain(self) -> typing.Any:
-        """
-        standing: how far the ZMP goes beyond the DCM, per distance from the middle
-        """
+    def stand_gain(self) -> float:
+        """gait.stand_gain: How hard a standing robot is brought back over the middle between its feet: the ZMP goes beyond the DCM (COM + T_c times its velocity) by this many times the DCM's distance from the middle. Default: 1.0."""
     @stand_gain.setter
-    def stand_gain(self, arg1: typing.Any) -> None: ...
+    def stand_gain(self, value: float) -> None: ...
     @property
-    def step_height(self) -> typing.Any:
-        """
-        height of the swing foot; NaN: 0.0535 of the COM height, less (to 0.01) where the knee's rotor and damping would take over 0.6 of its torque at the profile's top speed [m]
-        """
-    @step_height.setter
-    def step_height(self, arg1: typing.Any) -> None: ...
+    def closing_reach(self) -> float:
+        """gait.closing_distance: A walk ends with a step that sets the foot beside the other one. That step is taken once the DCM (COM + T_c times its velocity) will be this near to the standing foot at its end. Unit: m. Default: 0.1 z_c."""
+    @closing_reach.setter
+    def closing_reach(self, value: float) -> None: ...
     @property
-    def step_lengths(self) -> typing.Any:
-        """
-        lead of each step over the stance foot, the last one repeated [m]
-        """
+    def closing_turn(self) -> float:
+        """gait.closing_turn: A walk ends with a step that sets the foot beside the other one. That step is taken only where the headings of the path and of the standing foot differ by no more than this. Unit: rad. Default: 0.05."""
+    @closing_turn.setter
+    def closing_turn(self, value: float) -> None: ...
+    @property
+    def footsteps(self) -> typing.Literal["tied", "absolute", "paper", "printed", "list"]:
+        """steps.mode: What decides where a foot lands: 'tied' follows the COM, which keeps the walk balanced; 'absolute' takes the places of the plan; 'paper' and 'printed' take the step lengths of section IV, corrected and as printed; 'list' takes steps.lengths. Python and files take a list of lengths here as well. One of 'tied', 'absolute', 'paper', 'printed', 'list'. Default: 'tied'."""
+    @footsteps.setter
+    def footsteps(
+        self, value: typing.Literal["tied", "absolute", "paper", "printed", "list"] | typing.Sequence[float]
+    ) -> None: ...
+    @property
+    def step_lengths(self) -> list[float]:
+        """steps.lengths: How far each step lands ahead of the standing foot, one number per step; the last one repeats. Tied footsteps do not use it. Unit: m. Default: []."""
     @step_lengths.setter
-    def step_lengths(self, arg1: typing.Any) -> None: ...
+    def step_lengths(self, value: typing.Sequence[float]) -> None: ...
     @property
-    def step_width(self) -> typing.Any:
-        """
-        lateral distance of the feet; NaN: as they stand at the start [m]
-        """
+    def step_width(self) -> float:
+        """steps.width: Distance of the two feet from each other, sideways. Unit: m. Default: as the feet stand at the start."""
     @step_width.setter
-    def step_width(self, arg1: typing.Any) -> None: ...
+    def step_width(self, value: float) -> None: ...
     @property
-    def swing_feed_forward(self) -> typing.Any:
-        """
-        add the spline's acceleration to the swing foot's task
-        """
+    def foot_clearance(self) -> float:
+        """steps.clearance: Least gap that a step leaves between the edges of the two soles, sideways. Unit: m. Default: 0.03 z_c."""
+    @foot_clearance.setter
+    def foot_clearance(self, value: float) -> None: ...
+    @property
+    def foothold_reach(self) -> float:
+        """steps.reach: How far a tied foothold may be moved from its nominal place to keep the robot balanced. Unit: m. Default: 0.25 z_c."""
+    @foothold_reach.setter
+    def foothold_reach(self, value: float) -> None: ...
+    @property
+    def foothold_time(self) -> float:
+        """steps.filter_time: Time constant of the low-pass through which a tied foothold moves while the foot is in the air. Unit: s. Default: 0.18 T_c."""
+    @foothold_time.setter
+    def foothold_time(self, value: float) -> None: ...
+    @property
+    def foothold_give(self) -> float:
+        """steps.give: A COM that is faster or slower than planned needs another foothold or another ZMP. Up to this share of its bounds the ZMP over the next foot makes up for it; only the rest moves a tied foothold. With 0 each long step would be followed by a short one. Default: 0.3."""
+    @foothold_give.setter
+    def foothold_give(self, value: float) -> None: ...
+    @property
+    def foothold_freeze(self) -> float:
+        """steps.freeze: Share of the single support after which a tied foothold stays where it is, so that the foot lands calmly. Default: 0.7."""
+    @foothold_freeze.setter
+    def foothold_freeze(self, value: float) -> None: ...
+    @property
+    def capture_reach(self) -> float:
+        """steps.capture_distance: How far the DCM (COM + T_c times its velocity) may be from its planned place when the next foot takes over, with tied footsteps. Beyond that the tracked speed yields, so that the next step still catches the robot. Unit: m. Default: 0.07 z_c."""
+    @capture_reach.setter
+    def capture_reach(self, value: float) -> None: ...
+    @property
+    def capture_speed(self) -> float:
+        """steps.capture_speed: Most that the tracked speed yields, either way, to keep the DCM within capture_distance of its plan. Unit: m/s. Default: 0.2 sqrt(g z_c)."""
+    @capture_speed.setter
+    def capture_speed(self, value: float) -> None: ...
+    @property
+    def step_height(self) -> float:
+        """swing.height: Height to which a step lifts the foot. Unit: m. Default: 0.0535 z_c, or less (down to 0.01 z_c) where the knee's rotor and damping would take over 0.6 of its torque at the walk's top speed."""
+    @step_height.setter
+    def step_height(self, value: float) -> None: ...
+    @property
+    def swing_feed_forward(self) -> bool:
+        """swing.feed_forward: Whether the acceleration of the planned swing is added to that which corrects the foot's error. Without it the foot lags behind its path. Default: True."""
     @swing_feed_forward.setter
-    def swing_feed_forward(self, arg1: typing.Any) -> None: ...
+    def swing_feed_forward(self, value: bool) -> None: ...
     @property
-    def swing_kd(self) -> typing.Any:
-        """
-        swing foot, position and orientation [1/s]
-        """
-    @swing_kd.setter
-    def swing_kd(self, arg1: typing.Any) -> None: ...
-    @property
-    def swing_kp(self) -> typing.Any:
-        """
-        swing foot, position and orientation [1/s^2]
-        """
+    def swing_kp(self) -> float:
+        """swing.kp: Stiffness with which the foot in the air is held on its path: acceleration per error, in position and orientation. Unit: 1/s^2. Default: 3600 (0.276 s / T_c)^2."""
     @swing_kp.setter
-    def swing_kp(self, arg1: typing.Any) -> None: ...
+    def swing_kp(self, value: float) -> None: ...
     @property
-    def textbook(self) -> typing.Any:
-        """
-        equations 1-13 as printed instead of the direct path: slower, the same numbers
-        """
-    @textbook.setter
-    def textbook(self, arg1: typing.Any) -> None: ...
+    def swing_kd(self) -> float:
+        """swing.kd: Damping with which the foot in the air is held on its path: acceleration per velocity error, in position and orientation. Unit: 1/s. Default: 120 (0.276 s / T_c)."""
+    @swing_kd.setter
+    def swing_kd(self, value: float) -> None: ...
     @property
-    def torque_limits(self) -> typing.Any:
-        """
-        torque limits by joint name, in place of the robot's own; a motor still gives no more than the model lets through [N m]
-        """
-    @torque_limits.setter
-    def torque_limits(self, arg1: typing.Any) -> None: ...
+    def com_state(self) -> typing.Literal["measured", "desired"]:
+        """com.state: What counts as the COM's current state in the pendulum (16), (17): the 'measured' one, or the one that was 'desired' in the cycle before. One of 'measured', 'desired'. Default: 'measured'."""
+    @com_state.setter
+    def com_state(self, value: typing.Literal["measured", "desired"]) -> None: ...
     @property
-    def tracker(self) -> typing.Any:
-        """
-        velocity tracker: 'smooth' or 'bang_bang' (III-C as printed)
-        """
-    @tracker.setter
-    def tracker(self, arg1: typing.Any) -> None: ...
+    def feed_forward(self) -> bool:
+        """com.feed_forward: Whether the pendulum's acceleration is added to the COM's commanded acceleration (8). Without it the COM is one cycle late and takes stiffer gains. Default: True."""
+    @feed_forward.setter
+    def feed_forward(self, value: bool) -> None: ...
     @property
-    def tracker_deadband(self) -> typing.Any:
-        """
-        bang-bang tracker: integrated error that counts as zero before a drive starts [m]
-        """
-    @tracker_deadband.setter
-    def tracker_deadband(self, arg1: typing.Any) -> None: ...
+    def com_x_kp(self) -> float:
+        """com.kp_x: Stiffness of the COM's motion forward: acceleration per position error in (8). Unit: 1/s^2. Default: 100 (0.276 s / T_c)^2."""
+    @com_x_kp.setter
+    def com_x_kp(self, value: float) -> None: ...
     @property
-    def tracker_gain(self) -> typing.Any:
-        """
-        smooth tracker: speed asked for per metre of integrated error; NaN: 1.38 / T_c [1/s]
-        """
-    @tracker_gain.setter
-    def tracker_gain(self, arg1: typing.Any) -> None: ...
+    def com_x_kd(self) -> float:
+        """com.kd_x: Damping of the COM's motion forward: acceleration per velocity error in (8). Unit: 1/s. Default: 20 (0.276 s / T_c)."""
+    @com_x_kd.setter
+    def com_x_kd(self, value: float) -> None: ...
     @property
-    def tracker_reach(self) -> typing.Any:
-        """
-        smooth tracker: largest speed beside the planned one that removes an integrated error; NaN: 0.03 of sqrt(g COM height) [m/s]
-        """
-    @tracker_reach.setter
-    def tracker_reach(self, arg1: typing.Any) -> None: ...
+    def com_y_kp(self) -> float:
+        """com.kp_y: Stiffness of the COM's motion sideways: acceleration per position error in (8). Unit: 1/s^2. Default: 100 (0.276 s / T_c)^2."""
+    @com_y_kp.setter
+    def com_y_kp(self, value: float) -> None: ...
     @property
-    def tracker_time(self) -> typing.Any:
-        """
-        smooth tracker: time in which a speed error is removed; NaN: 0.18 T_c [s]
-        """
-    @tracker_time.setter
-    def tracker_time(self, arg1: typing.Any) -> None: ...
+    def com_y_kd(self) -> float:
+        """com.kd_y: Damping of the COM's motion sideways: acceleration per velocity error in (8). Unit: 1/s. Default: 20 (0.276 s / T_c)."""
+    @com_y_kd.setter
+    def com_y_kd(self, value: float) -> None: ...
     @property
-    def trunk_kd(self) -> typing.Any:
-        """
-        trunk orientation [1/s]
-        """
-    @trunk_kd.setter
-    def trunk_kd(self, arg1: typing.Any) -> None: ...
+    def com_z_kp(self) -> float:
+        """com.kp_z: Stiffness of the COM's height: acceleration per position error in (8). Unit: 1/s^2. Default: 200 (0.276 s / T_c)^2."""
+    @com_z_kp.setter
+    def com_z_kp(self, value: float) -> None: ...
     @property
-    def trunk_kp(self) -> typing.Any:
-        """
-        trunk orientation [1/s^2]
-        """
-    @trunk_kp.setter
-    def trunk_kp(self, arg1: typing.Any) -> None: ...
+    def com_z_kd(self) -> float:
+        """com.kd_z: Damping of the COM's height: acceleration per velocity error in (8). Unit: 1/s. Default: 28 (0.276 s / T_c)."""
+    @com_z_kd.setter
+    def com_z_kd(self, value: float) -> None: ...
     @property
-    def turning_acceleration(self) -> typing.Any:
-        """
-        at which w_z follows beyond that; NaN: 0.08 / T_c^2 [rad/s^2]
-        """
-    @turning_acceleration.setter
-    def turning_acceleration(self, arg1: typing.Any) -> None: ...
+    def com_lead(self) -> float:
+        """com.lead: How far the COM rides ahead of the middle between the feet, with tied footsteps. So a foot that has just landed is not loaded on its heel, where the contact settles slowly. Unit: m. Default: 0.0134 z_c."""
+    @com_lead.setter
+    def com_lead(self, value: float) -> None: ...
     @property
-    def turning_jump(self) -> typing.Any:
-        """
-        change of w_z that passes at once; NaN: 0.07 / T_c [rad/s]
-        """
-    @turning_jump.setter
-    def turning_jump(self, arg1: typing.Any) -> None: ...
+    def least_knee(self) -> float:
+        """com.least_knee: Smallest knee angle that the plan allows, so that no leg becomes straight. It leaves room for what the plan does not know: swing leg and pelvis move the hips against the COM. Unit: rad. Default: 0.3."""
+    @least_knee.setter
+    def least_knee(self, value: float) -> None: ...
     @property
-    def wrench_distribution(self) -> typing.Any:
-        """
-        share the load of two standing feet; False: minimum-norm torque
-        """
-    @wrench_distribution.setter
-    def wrench_distribution(self, arg1: typing.Any) -> None: ...
+    def crouch_limit(self) -> float:
+        """com.crouch_limit: How far the COM may come down so that the legs reach far enough for long steps. Unit: m. Default: 0.1 z_c."""
+    @crouch_limit.setter
+    def crouch_limit(self, value: float) -> None: ...
     @property
-    def zmp_modification(self) -> typing.Any:
-        """
-        keep the estimated ZMP inside its bounds (III-B, III-C); False: track v_plan blindly
-        """
+    def crouch_margin(self) -> float:
+        """com.crouch_margin: For long steps the COM comes down until the legs reach this many times as far as the feet are from under the hips in double support. Default: 1.2."""
+    @crouch_margin.setter
+    def crouch_margin(self, value: float) -> None: ...
+    @property
+    def crouch_time(self) -> float:
+        """com.crouch_time: Time constant with which the COM comes down for long steps and rises after them. Unit: s. Default: 0.5 T_c."""
+    @crouch_time.setter
+    def crouch_time(self, value: float) -> None: ...
+    @property
+    def zmp_modification(self) -> bool:
+        """zmp.modification: Whether the estimated ZMP is kept inside its bounds (III-B, III-C). With false the planned velocity is tracked blindly. Default: True."""
     @zmp_modification.setter
-    def zmp_modification(self, arg1: typing.Any) -> None: ...
+    def zmp_modification(self, value: bool) -> None: ...
     @property
-    def zmp_threshold(self) -> typing.Any:
-        """
-        |desired - estimated ZMP| at which the loop ends (section IV) [m]
-        """
+    def iteration(self) -> typing.Literal["closed_form", "loop", "none"]:
+        """zmp.iteration: How the reference ZMP is found that puts the estimated ZMP where it is desired: in 'closed_form', or by the 'loop' that III-B prints. With 'none' the pendulum's ZMP is taken as it is, and the estimate changes nothing. One of 'closed_form', 'loop', 'none'. Default: 'closed_form'."""
+    @iteration.setter
+    def iteration(self, value: typing.Literal["closed_form", "loop", "none"]) -> None: ...
+    @property
+    def zmp_threshold(self) -> float:
+        """zmp.threshold: The reference ZMP is good enough once the estimated ZMP is this near to the desired one (section IV). Unit: m. Default: 0.001."""
     @zmp_threshold.setter
-    def zmp_threshold(self, arg1: typing.Any) -> None: ...
+    def zmp_threshold(self, value: float) -> None: ...
+    @property
+    def max_iterations(self) -> int:
+        """zmp.max_iterations: Most passes of the loop of III-B in one control cycle, which then goes on with what it has. Default: 200."""
+    @max_iterations.setter
+    def max_iterations(self, value: int) -> None: ...
+    @property
+    def sole_fraction(self) -> float:
+        """zmp.sole_fraction: Share of the sole's length and width that the ZMP may use. The rest is a margin: a foot whose ZMP is at its edge tips. Default: 0.72."""
+    @sole_fraction.setter
+    def sole_fraction(self, value: float) -> None: ...
+    @property
+    def sole_exponent(self) -> float:
+        """zmp.sole_exponent: How much less of the sole's length the ZMP uses above cadence_speed: (cadence_speed / speed)^sole_exponent of it. At the sole's ends the contact of a fast walk chatters. Default: 0.5."""
+    @sole_exponent.setter
+    def sole_exponent(self, value: float) -> None: ...
+    @property
+    def ankle_torque_fraction(self) -> float:
+        """zmp.ankle_torque_fraction: Share of an ankle's torque limit that may hold the ZMP away from the ankle. Where ankles are weak this, not the sole, bounds the ZMP. Default: 0.9."""
+    @ankle_torque_fraction.setter
+    def ankle_torque_fraction(self, value: float) -> None: ...
+    @property
+    def bound_lateral(self) -> bool:
+        """zmp.bound_lateral: Whether the ZMP is kept inside its bounds sideways too. The paper bounds it forward only. Default: True."""
+    @bound_lateral.setter
+    def bound_lateral(self, value: bool) -> None: ...
+    @property
+    def lateral_feedback(self) -> bool:
+        """zmp.lateral_feedback: Whether the reference ZMP is shifted sideways so that the sway repeats (III-D). With false the sway follows (17) alone, and an error at the start never decays. Default: True."""
+    @lateral_feedback.setter
+    def lateral_feedback(self, value: bool) -> None: ...
+    @property
+    def lateral_reach(self) -> float:
+        """zmp.lateral_shift: Largest sideways shift of the reference ZMP that makes the sway repeat, as a share of half the sole's width. Default: 0.4."""
+    @lateral_reach.setter
+    def lateral_reach(self, value: float) -> None: ...
+    @property
+    def tracker(self) -> typing.Literal["smooth", "bang_bang"]:
+        """tracking.law: Law by which the COM's velocity follows the planned one: 'smooth' accelerates in proportion to the error, 'bang_bang' drives the ZMP to its bounds until the error is gone, as III-C is printed. One of 'smooth', 'bang_bang'. Default: 'smooth'."""
+    @tracker.setter
+    def tracker(self, value: typing.Literal["smooth", "bang_bang"]) -> None: ...
+    @property
+    def tracker_gain(self) -> float:
+        """tracking.gain: How fast the smooth law makes up lost way: speed that it adds per metre behind the plan. Unit: 1/s. Default: 1.38 / T_c."""
+    @tracker_gain.setter
+    def tracker_gain(self, value: float) -> None: ...
+    @property
+    def tracker_time(self) -> float:
+        """tracking.time: Time constant with which the smooth law removes an error of the speed. Unit: s. Default: 0.18 T_c."""
+    @tracker_time.setter
+    def tracker_time(self, value: float) -> None: ...
+    @property
+    def tracker_reach(self) -> float:
+        """tracking.catch_up_speed: Largest speed that the smooth law adds or takes away to make up lost or gained way. Feet cannot make up a long way in one step. Unit: m/s. Default: 0.03 sqrt(g z_c)."""
+    @tracker_reach.setter
+    def tracker_reach(self, value: float) -> None: ...
+    @property
+    def tracker_deadband(self) -> float:
+        """tracking.deadband: How far the COM may be ahead of its plan or behind it before the bang-bang law drives it back. A drive ends a little beyond the plan, since time is discrete; without a deadband that would start the next drive. Unit: m. Default: 0.0002."""
+    @tracker_deadband.setter
+    def tracker_deadband(self, value: float) -> None: ...
+    @property
+    def rate_limit(self) -> bool:
+        """rate.limit: Whether the planned velocity changes no faster than steps can follow. With false profiles and commands are taken as they are. Default: True."""
+    @rate_limit.setter
+    def rate_limit(self, value: bool) -> None: ...
+    @property
+    def forward_jump(self) -> float:
+        """rate.forward_jump: Change of the forward velocity v_x that is taken up at once. A larger one follows at forward_acceleration or forward_deceleration. Unit: m/s. Default: 0.036 sqrt(g z_c)."""
+    @forward_jump.setter
+    def forward_jump(self, value: float) -> None: ...
+    @property
+    def sideways_jump(self) -> float:
+        """rate.sideways_jump: Change of the sideways velocity v_y that is taken up at once. A larger one follows at sideways_acceleration. Unit: m/s. Default: 0.03 sqrt(g z_c)."""
+    @sideways_jump.setter
+    def sideways_jump(self, value: float) -> None: ...
+    @property
+    def turning_jump(self) -> float:
+        """rate.turning_jump: Change of the turning velocity w_z that is taken up at once. A larger one follows at turning_acceleration. Unit: rad/s. Default: 0.07 / T_c."""
+    @turning_jump.setter
+    def turning_jump(self, value: float) -> None: ...
+    @property
+    def forward_acceleration(self) -> float:
+        """rate.forward_acceleration: Rate at which the forward velocity v_x moves away from zero. Unit: m/s^2. Default: 0.02 g."""
+    @forward_acceleration.setter
+    def forward_acceleration(self, value: float) -> None: ...
+    @property
+    def forward_deceleration(self) -> float:
+        """rate.forward_deceleration: Rate at which the forward velocity v_x goes back to zero. Unit: m/s^2. Default: 0.056 g."""
+    @forward_deceleration.setter
+    def forward_deceleration(self, value: float) -> None: ...
+    @property
+    def sideways_acceleration(self) -> float:
+        """rate.sideways_acceleration: Rate at which the sideways velocity v_y changes. Unit: m/s^2. Default: 0.025 g."""
+    @sideways_acceleration.setter
+    def sideways_acceleration(self, value: float) -> None: ...
+    @property
+    def turning_acceleration(self) -> float:
+        """rate.turning_acceleration: Rate at which the turning velocity w_z changes. Unit: rad/s^2. Default: 0.08 / T_c^2."""
+    @turning_acceleration.setter
+    def turning_acceleration(self, value: float) -> None: ...
+    @property
+    def trunk_kp(self) -> float:
+        """trunk.kp: Stiffness of the trunk's orientation: angular acceleration per angle of error. Unit: 1/s^2. Default: 300 (0.276 s / T_c)^2."""
+    @trunk_kp.setter
+    def trunk_kp(self, value: float) -> None: ...
+    @property
+    def trunk_kd(self) -> float:
+        """trunk.kd: Damping of the trunk's orientation: angular acceleration per error of angular velocity. Unit: 1/s. Default: 35 (0.276 s / T_c)."""
+    @trunk_kd.setter
+    def trunk_kd(self, value: float) -> None: ...
+    @property
+    def posture_task(self) -> bool:
+        """posture.task: Whether the joints outside the legs are controlled. With false their motion is left to the torque of least norm. Default: True."""
+    @posture_task.setter
+    def posture_task(self, value: bool) -> None: ...
+    @property
+    def posture_kp(self) -> float:
+        """posture.kp: Stiffness of the joints outside the legs: acceleration per angle of error. Unit: 1/s^2. Default: 100 (0.276 s / T_c)^2."""
+    @posture_kp.setter
+    def posture_kp(self, value: float) -> None: ...
+    @property
+    def posture_kd(self) -> float:
+        """posture.kd: Damping of the joints outside the legs: acceleration per error of joint velocity. Unit: 1/s. Default: 20 (0.276 s / T_c)."""
+    @posture_kd.setter
+    def posture_kd(self, value: float) -> None: ...
+    @property
+    def motion_blend(self) -> float:
+        """posture.motion_blend: Time in which a new joint motion takes over from the one before it. Unit: s. Default: 1.8 T_c."""
+    @motion_blend.setter
+    def motion_blend(self, value: float) -> None: ...
+    @property
+    def momentum_arms(self) -> float:
+        """arms.momentum: Share of the yaw momentum of legs and trunk that the arms cancel by swinging, 0 to 1. Joints that a motion names do not swing. Default: 0.0."""
+    @momentum_arms.setter
+    def momentum_arms(self, value: float) -> None: ...
+    @property
+    def momentum_kp(self) -> float:
+        """arms.kp: Stiffness of the spring that brings swinging arms back to their posture: acceleration per angle. Unit: 1/s^2. Default: 20 (0.276 s / T_c)^2."""
+    @momentum_kp.setter
+    def momentum_kp(self, value: float) -> None: ...
+    @property
+    def momentum_kd(self) -> float:
+        """arms.kd: Rate at which swinging arms bring the robot's yaw momentum to zero. Unit: 1/s. Default: 20 (0.276 s / T_c)."""
+    @momentum_kd.setter
+    def momentum_kd(self, value: float) -> None: ...
+    @property
+    def wrench_distribution(self) -> bool:
+        """contact.wrench_distribution: Whether two standing feet share the load by the place of the ZMP between them. With false the torque of least norm decides, which ignores that feet cannot pull. Default: True."""
+    @wrench_distribution.setter
+    def wrench_distribution(self, value: bool) -> None: ...
+    @property
+    def load_alone(self) -> float:
+        """contact.load_alone: In double support one foot carries everything while the ZMP is this near to its centre line, in half sole widths. A foot that has just landed would chatter under a light load. Default: 0.7."""
+    @load_alone.setter
+    def load_alone(self, value: float) -> None: ...
+    @property
+    def contact_damping(self) -> float:
+        """contact.damping: Damping of the velocity of a standing foot that does not carry the ZMP. Without a load it would drift off the ground. Unit: 1/s. Default: 100.0."""
+    @contact_damping.setter
+    def contact_damping(self, value: float) -> None: ...
+    @property
+    def control_dt(self) -> float:
+        """control.dt: Control period: a new torque is computed this often and held in between. It must be a multiple of the model's time step. Unit: s. Default: the model's time step."""
+    @control_dt.setter
+    def control_dt(self, value: float) -> None: ...
+    @property
+    def textbook(self) -> bool:
+        """control.textbook: Whether equations (1) to (13) are computed as printed instead of on the direct path. It is slower and gives the same numbers. Default: False."""
+    @textbook.setter
+    def textbook(self, value: bool) -> None: ...
+    @property
+    def singular_damping(self) -> float:
+        """control.singular_damping: Damping that keeps the joints' motion bounded where a leg is straight. Default: 0.001."""
+    @singular_damping.setter
+    def singular_damping(self, value: float) -> None: ...
+    @property
+    def singular_pivot(self) -> float:
+        """control.singular_pivot: Smallest pivot of a leg's equations below which that leg counts as straight. Default: 0.01."""
+    @singular_pivot.setter
+    def singular_pivot(self, value: float) -> None: ...
+    @property
+    def friction_velocity(self) -> float:
+        """control.friction_velocity: Joint speed below which dry friction is taken as proportional to the speed, so that it does not jump where a joint turns around. Unit: rad/s. Default: 0.02."""
+    @friction_velocity.setter
+    def friction_velocity(self, value: float) -> None: ...
+    @property
+    def kernel(self) -> str:
+        """control.kernel: Build of the inner loops: 'auto' takes the best that this processor runs, and build_info()['kernels'] names those that there are. They agree to rounding. Default: 'auto'."""
+    @kernel.setter
+    def kernel(self, value: str) -> None: ...
+    @property
+    def torque_limits(self) -> dict[str, float]:
+        """control.torque_limits: Torque limits by joint name, in place of the robot's own. A motor still gives no more than the model lets through. Unit: N m. Default: {}."""
+    @torque_limits.setter
+    def torque_limits(self, value: typing.Mapping[str, float]) -> None: ...
+    @property
+    def fall_height(self) -> float:
+        """fall.height: The robot has fallen where its COM is less high over the support foot than this share of its height at the start. Default: 0.8."""
+    @fall_height.setter
+    def fall_height(self, value: float) -> None: ...
+    @property
+    def fall_tilt(self) -> float:
+        """fall.tilt: The robot has fallen where its trunk tilts by more than this. Unit: rad. Default: 0.8."""
+    @fall_tilt.setter
+    def fall_tilt(self, value: float) -> None: ...
+    @property
+    def fall_foot_tilt(self) -> float:
+        """fall.foot_tilt: The robot has fallen where the only foot that stands tilts by more than this, as it tips over its edge. Unit: rad. Default: 0.3."""
+    @fall_foot_tilt.setter
+    def fall_foot_tilt(self, value: float) -> None: ...
+
+class GaitSettings:
+    """
+    When a foot is lifted and set down, and when the robot stands.
+    """
+
+    __hash__: typing.ClassVar[None] = None
+    def __copy__(self) -> GaitSettings: ...
+    def __deepcopy__(self, arg0: dict) -> GaitSettings: ...
+    def __eq__(self, arg0: GaitSettings) -> bool: ...
+    def __getstate__(self) -> dict: ...
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: dict) -> None: ...
+    def to_dict(self) -> dict:
+        """
+        The group's settings by name, as plain Python values.
+        """
+    @property
+    def T_ds(self) -> float:
+        """Double support time of a step: how long both feet stand between two swings. Unit: s. Default: 0.2 of a step's period, which is 0.8 s sqrt(z_c / 0.747 m)."""
+    @T_ds.setter
+    def T_ds(self, value: float) -> None: ...
+    @property
+    def T_ss(self) -> float:
+        """Single support time of a step: how long one foot is in the air. Unit: s. Default: 0.8 of a step's period, which is 0.8 s sqrt(z_c / 0.747 m)."""
+    @T_ss.setter
+    def T_ss(self, value: float) -> None: ...
+    @property
+    def T_ds_first(self) -> float:
+        """Length of the first double support, in which the COM leaves its rest. With the default its sway is the steady one from the first step on. Unit: s. Default: the time in which a COM at rest takes up the sway of the steady walk."""
+    @T_ds_first.setter
+    def T_ds_first(self, value: float) -> None: ...
+    @property
+    def first_swing(self) -> typing.Literal["right", "left"]:
+        """Foot that takes the first step. One of 'right', 'left'. Default: 'right'."""
+    @first_swing.setter
+    def first_swing(self, value: typing.Literal["right", "left"]) -> None: ...
+    @property
+    def cadence_speed(self) -> float:
+        """Speed up to which every step takes T_ss + T_ds, and a faster walk takes longer steps. Above it the steps come faster as well. Unit: m/s. Default: 0.1 sqrt(g z_c)."""
+    @cadence_speed.setter
+    def cadence_speed(self, value: float) -> None: ...
+    @property
+    def cadence_exponent(self) -> float:
+        """How much faster steps come above cadence_speed: a step takes (cadence_speed / speed)^cadence_exponent of T_ss + T_ds. With 0 all steps take the same time. Default: 0.4, or 0 where a list sets the lengths of the steps."""
+    @cadence_exponent.setter
+    def cadence_exponent(self, value: float) -> None: ...
+    @property
+    def cadence_double(self) -> float:
+        """How much the double support's share of a step shrinks above cadence_speed: as (cadence_speed / speed)^cadence_double. With 0 the share stays. Default: 0.5."""
+    @cadence_double.setter
+    def cadence_double(self, value: float) -> None: ...
+    @property
+    def cadence_sideways(self) -> float:
+        """Weight of the sideways velocity in the speed that is compared with cadence_speed: 1 m/s sideways counts as this many m/s forward. Default: 3.0."""
+    @cadence_sideways.setter
+    def cadence_sideways(self, value: float) -> None: ...
+    @property
+    def cadence_turning(self) -> float:
+        """Weight of turning in the speed that is compared with cadence_speed: 1 rad/s counts as this many m/s forward. Unit: m/rad. Default: 0.54 z_c."""
+    @cadence_turning.setter
+    def cadence_turning(self, value: float) -> None: ...
+    @property
+    def stand(self) -> bool:
+        """Whether the robot stands still, feet side by side, while the planned velocity is zero. With false it steps on the spot. Default: True."""
+    @stand.setter
+    def stand(self, value: bool) -> None: ...
+    @property
+    def stand_gain(self) -> float:
+        """How hard a standing robot is brought back over the middle between its feet: the ZMP goes beyond the DCM (COM + T_c times its velocity) by this many times the DCM's distance from the middle. Default: 1.0."""
+    @stand_gain.setter
+    def stand_gain(self, value: float) -> None: ...
+    @property
+    def closing_distance(self) -> float:
+        """A walk ends with a step that sets the foot beside the other one. That step is taken once the DCM (COM + T_c times its velocity) will be this near to the standing foot at its end. Unit: m. Default: 0.1 z_c."""
+    @closing_distance.setter
+    def closing_distance(self, value: float) -> None: ...
+    @property
+    def closing_turn(self) -> float:
+        """A walk ends with a step that sets the foot beside the other one. That step is taken only where the headings of the path and of the standing foot differ by no more than this. Unit: rad. Default: 0.05."""
+    @closing_turn.setter
+    def closing_turn(self, value: float) -> None: ...
+
+class StepsSettings:
+    """
+    Where the feet are set down.
+    """
+
+    __hash__: typing.ClassVar[None] = None
+    def __copy__(self) -> StepsSettings: ...
+    def __deepcopy__(self, arg0: dict) -> StepsSettings: ...
+    def __eq__(self, arg0: StepsSettings) -> bool: ...
+    def __getstate__(self) -> dict: ...
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: dict) -> None: ...
+    def to_dict(self) -> dict:
+        """
+        The group's settings by name, as plain Python values.
+        """
+    @property
+    def mode(self) -> typing.Literal["tied", "absolute", "paper", "printed", "list"]:
+        """What decides where a foot lands: 'tied' follows the COM, which keeps the walk balanced; 'absolute' takes the places of the plan; 'paper' and 'printed' take the step lengths of section IV, corrected and as printed; 'list' takes steps.lengths. Python and files take a list of lengths here as well. One of 'tied', 'absolute', 'paper', 'printed', 'list'. Default: 'tied'."""
+    @mode.setter
+    def mode(
+        self, value: typing.Literal["tied", "absolute", "paper", "printed", "list"] | typing.Sequence[float]
+    ) -> None: ...
+    @property
+    def lengths(self) -> list[float]:
+        """How far each step lands ahead of the standing foot, one number per step; the last one repeats. Tied footsteps do not use it. Unit: m. Default: []."""
+    @lengths.setter
+    def lengths(self, value: typing.Sequence[float]) -> None: ...
+    @property
+    def width(self) -> float:
+        """Distance of the two feet from each other, sideways. Unit: m. Default: as the feet stand at the start."""
+    @width.setter
+    def width(self, value: float) -> None: ...
+    @property
+    def clearance(self) -> float:
+        """Least gap that a step leaves between the edges of the two soles, sideways. Unit: m. Default: 0.03 z_c."""
+    @clearance.setter
+    def clearance(self, value: float) -> None: ...
+    @property
+    def reach(self) -> float:
+        """How far a tied foothold may be moved from its nominal place to keep the robot balanced. Unit: m. Default: 0.25 z_c."""
+    @reach.setter
+    def reach(self, value: float) -> None: ...
+    @property
+    def filter_time(self) -> float:
+        """Time constant of the low-pass through which a tied foothold moves while the foot is in the air. Unit: s. Default: 0.18 T_c."""
+    @filter_time.setter
+    def filter_time(self, value: float) -> None: ...
+    @property
+    def give(self) -> float:
+        """A COM that is faster or slower than planned needs another foothold or another ZMP. Up to this share of its bounds the ZMP over the next foot makes up for it; only the rest moves a tied foothold. With 0 each long step would be followed by a short one. Default: 0.3."""
+    @give.setter
+    def give(self, value: float) -> None: ...
+    @property
+    def freeze(self) -> float:
+        """Share of the single support after which a tied foothold stays where it is, so that the foot lands calmly. Default: 0.7."""
+    @freeze.setter
+    def freeze(self, value: float) -> None: ...
+    @property
+    def capture_distance(self) -> float:
+        """How far the DCM (COM + T_c times its velocity) may be from its planned place when the next foot takes over, with tied footsteps. Beyond that the tracked speed yields, so that the next step still catches the robot. Unit: m. Default: 0.07 z_c."""
+    @capture_distance.setter
+    def capture_distance(self, value: float) -> None: ...
+    @property
+    def capture_speed(self) -> float:
+        """Most that the tracked speed yields, either way, to keep the DCM within capture_distance of its plan. Unit: m/s. Default: 0.2 sqrt(g z_c)."""
+    @capture_speed.setter
+    def capture_speed(self, value: float) -> None: ...
+
+class SwingSettings:
+    """
+    How the foot in the air moves.
+    """
+
+    __hash__: typing.ClassVar[None] = None
+    def __copy__(self) -> SwingSettings: ...
+    def __deepcopy__(self, arg0: dict) -> SwingSettings: ...
+    def __eq__(self, arg0: SwingSettings) -> bool: ...
+    def __getstate__(self) -> dict: ...
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: dict) -> None: ...
+    def to_dict(self) -> dict:
+        """
+        The group's settings by name, as plain Python values.
+        """
+    @property
+    def height(self) -> float:
+        """Height to which a step lifts the foot. Unit: m. Default: 0.0535 z_c, or less (down to 0.01 z_c) where the knee's rotor and damping would take over 0.6 of its torque at the walk's top speed."""
+    @height.setter
+    def height(self, value: float) -> None: ...
+    @property
+    def feed_forward(self) -> bool:
+        """Whether the acceleration of the planned swing is added to that which corrects the foot's error. Without it the foot lags behind its path. Default: True."""
+    @feed_forward.setter
+    def feed_forward(self, value: bool) -> None: ...
+    @property
+    def kp(self) -> float:
+        """Stiffness with which the foot in the air is held on its path: acceleration per error, in position and orientation. Unit: 1/s^2. Default: 3600 (0.276 s / T_c)^2."""
+    @kp.setter
+    def kp(self, value: float) -> None: ...
+    @property
+    def kd(self) -> float:
+        """Damping with which the foot in the air is held on its path: acceleration per velocity error, in position and orientation. Unit: 1/s. Default: 120 (0.276 s / T_c)."""
+    @kd.setter
+    def kd(self, value: float) -> None: ...
+
+class ComSettings:
+    """
+    How the centre of mass (COM) is moved: forward, sideways and in height.
+    """
+
+    __hash__: typing.ClassVar[None] = None
+    def __copy__(self) -> ComSettings: ...
+    def __deepcopy__(self, arg0: dict) -> ComSettings: ...
+    def __eq__(self, arg0: ComSettings) -> bool: ...
+    def __getstate__(self) -> dict: ...
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: dict) -> None: ...
+    def to_dict(self) -> dict:
+        """
+        The group's settings by name, as plain Python values.
+        """
+    @property
+    def state(self) -> typing.Literal["measured", "desired"]:
+        """What counts as the COM's current state in the pendulum (16), (17): the 'measured' one, or the one that was 'desired' in the cycle before. One of 'measured', 'desired'. Default: 'measured'."""
+    @state.setter
+    def state(self, value: typing.Literal["measured", "desired"]) -> None: ...
+    @property
+    def feed_forward(self) -> bool:
+        """Whether the pendulum's acceleration is added to the COM's commanded acceleration (8). Without it the COM is one cycle late and takes stiffer gains. Default: True."""
+    @feed_forward.setter
+    def feed_forward(self, value: bool) -> None: ...
+    @property
+    def kp_x(self) -> float:
+        """Stiffness of the COM's motion forward: acceleration per position error in (8). Unit: 1/s^2. Default: 100 (0.276 s / T_c)^2."""
+    @kp_x.setter
+    def kp_x(self, value: float) -> None: ...
+    @property
+    def kd_x(self) -> float:
+        """Damping of the COM's motion forward: acceleration per velocity error in (8). Unit: 1/s. Default: 20 (0.276 s / T_c)."""
+    @kd_x.setter
+    def kd_x(self, value: float) -> None: ...
+    @property
+    def kp_y(self) -> float:
+        """Stiffness of the COM's motion sideways: acceleration per position error in (8). Unit: 1/s^2. Default: 100 (0.276 s / T_c)^2."""
+    @kp_y.setter
+    def kp_y(self, value: float) -> None: ...
+    @property
+    def kd_y(self) -> float:
+        """Damping of the COM's motion sideways: acceleration per velocity error in (8). Unit: 1/s. Default: 20 (0.276 s / T_c)."""
+    @kd_y.setter
+    def kd_y(self, value: float) -> None: ...
+    @property
+    def kp_z(self) -> float:
+        """Stiffness of the COM's height: acceleration per position error in (8). Unit: 1/s^2. Default: 200 (0.276 s / T_c)^2."""
+    @kp_z.setter
+    def kp_z(self, value: float) -> None: ...
+    @property
+    def kd_z(self) -> float:
+        """Damping of the COM's height: acceleration per velocity error in (8). Unit: 1/s. Default: 28 (0.276 s / T_c)."""
+    @kd_z.setter
+    def kd_z(self, value: float) -> None: ...
+    @property
+    def lead(self) -> float:
+        """How far the COM rides ahead of the middle between the feet, with tied footsteps. So a foot that has just landed is not loaded on its heel, where the contact settles slowly. Unit: m. Default: 0.0134 z_c."""
+    @lead.setter
+    def lead(self, value: float) -> None: ...
+    @property
+    def least_knee(self) -> float:
+        """Smallest knee angle that the plan allows, so that no leg becomes straight. It leaves room for what the plan does not know: swing leg and pelvis move the hips against the COM. Unit: rad. Default: 0.3."""
+    @least_knee.setter
+    def least_knee(self, value: float) -> None: ...
+    @property
+    def crouch_limit(self) -> float:
+        """How far the COM may come down so that the legs reach far enough for long steps. Unit: m. Default: 0.1 z_c."""
+    @crouch_limit.setter
+    def crouch_limit(self, value: float) -> None: ...
+    @property
+    def crouch_margin(self) -> float:
+        """For long steps the COM comes down until the legs reach this many times as far as the feet are from under the hips in double support. Default: 1.2."""
+    @crouch_margin.setter
+    def crouch_margin(self, value: float) -> None: ...
+    @property
+    def crouch_time(self) -> float:
+        """Time constant with which the COM comes down for long steps and rises after them. Unit: s. Default: 0.5 T_c."""
+    @crouch_time.setter
+    def crouch_time(self, value: float) -> None: ...
+
+class ZmpSettings:
+    """
+    Where the ZMP may be, and how the reference ZMP is found that puts it there (III-B, III-D).
+    """
+
+    __hash__: typing.ClassVar[None] = None
+    def __copy__(self) -> ZmpSettings: ...
+    def __deepcopy__(self, arg0: dict) -> ZmpSettings: ...
+    def __eq__(self, arg0: ZmpSettings) -> bool: ...
+    def __getstate__(self) -> dict: ...
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: dict) -> None: ...
+    def to_dict(self) -> dict:
+        """
+        The group's settings by name, as plain Python values.
+        """
+    @property
+    def modification(self) -> bool:
+        """Whether the estimated ZMP is kept inside its bounds (III-B, III-C). With false the planned velocity is tracked blindly. Default: True."""
+    @modification.setter
+    def modification(self, value: bool) -> None: ...
+    @property
+    def iteration(self) -> typing.Literal["closed_form", "loop", "none"]:
+        """How the reference ZMP is found that puts the estimated ZMP where it is desired: in 'closed_form', or by the 'loop' that III-B prints. With 'none' the pendulum's ZMP is taken as it is, and the estimate changes nothing. One of 'closed_form', 'loop', 'none'. Default: 'closed_form'."""
+    @iteration.setter
+    def iteration(self, value: typing.Literal["closed_form", "loop", "none"]) -> None: ...
+    @property
+    def threshold(self) -> float:
+        """The reference ZMP is good enough once the estimated ZMP is this near to the desired one (section IV). Unit: m. Default: 0.001."""
+    @threshold.setter
+    def threshold(self, value: float) -> None: ...
+    @property
+    def max_iterations(self) -> int:
+        """Most passes of the loop of III-B in one control cycle, which then goes on with what it has. Default: 200."""
+    @max_iterations.setter
+    def max_iterations(self, value: int) -> None: ...
+    @property
+    def sole_fraction(self) -> float:
+        """Share of the sole's length and width that the ZMP may use. The rest is a margin: a foot whose ZMP is at its edge tips. Default: 0.72."""
+    @sole_fraction.setter
+    def sole_fraction(self, value: float) -> None: ...
+    @property
+    def sole_exponent(self) -> float:
+        """How much less of the sole's length the ZMP uses above cadence_speed: (cadence_speed / speed)^sole_exponent of it. At the sole's ends the contact of a fast walk chatters. Default: 0.5."""
+    @sole_exponent.setter
+    def sole_exponent(self, value: float) -> None: ...
+    @property
+    def ankle_torque_fraction(self) -> float:
+        """Share of an ankle's torque limit that may hold the ZMP away from the ankle. Where ankles are weak this, not the sole, bounds the ZMP. Default: 0.9."""
+    @ankle_torque_fraction.setter
+    def ankle_torque_fraction(self, value: float) -> None: ...
+    @property
+    def bound_lateral(self) -> bool:
+        """Whether the ZMP is kept inside its bounds sideways too. The paper bounds it forward only. Default: True."""
+    @bound_lateral.setter
+    def bound_lateral(self, value: bool) -> None: ...
+    @property
+    def lateral_feedback(self) -> bool:
+        """Whether the reference ZMP is shifted sideways so that the sway repeats (III-D). With false the sway follows (17) alone, and an error at the start never decays. Default: True."""
+    @lateral_feedback.setter
+    def lateral_feedback(self, value: bool) -> None: ...
+    @property
+    def lateral_shift(self) -> float:
+        """Largest sideways shift of the reference ZMP that makes the sway repeat, as a share of half the sole's width. Default: 0.4."""
+    @lateral_shift.setter
+    def lateral_shift(self, value: float) -> None: ...
+
+class TrackingSettings:
+    """
+    How the walk follows the planned velocity (III-C).
+    """
+
+    __hash__: typing.ClassVar[None] = None
+    def __copy__(self) -> TrackingSettings: ...
+    def __deepcopy__(self, arg0: dict) -> TrackingSettings: ...
+    def __eq__(self, arg0: TrackingSettings) -> bool: ...
+    def __getstate__(self) -> dict: ...
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: dict) -> None: ...
+    def to_dict(self) -> dict:
+        """
+        The group's settings by name, as plain Python values.
+        """
+    @property
+    def law(self) -> typing.Literal["smooth", "bang_bang"]:
+        """Law by which the COM's velocity follows the planned one: 'smooth' accelerates in proportion to the error, 'bang_bang' drives the ZMP to its bounds until the error is gone, as III-C is printed. One of 'smooth', 'bang_bang'. Default: 'smooth'."""
+    @law.setter
+    def law(self, value: typing.Literal["smooth", "bang_bang"]) -> None: ...
+    @property
+    def gain(self) -> float:
+        """How fast the smooth law makes up lost way: speed that it adds per metre behind the plan. Unit: 1/s. Default: 1.38 / T_c."""
+    @gain.setter
+    def gain(self, value: float) -> None: ...
+    @property
+    def time(self) -> float:
+        """Time constant with which the smooth law removes an error of the speed. Unit: s. Default: 0.18 T_c."""
+    @time.setter
+    def time(self, value: float) -> None: ...
+    @property
+    def catch_up_speed(self) -> float:
+        """Largest speed that the smooth law adds or takes away to make up lost or gained way. Feet cannot make up a long way in one step. Unit: m/s. Default: 0.03 sqrt(g z_c)."""
+    @catch_up_speed.setter
+    def catch_up_speed(self, value: float) -> None: ...
+    @property
+    def deadband(self) -> float:
+        """How far the COM may be ahead of its plan or behind it before the bang-bang law drives it back. A drive ends a little beyond the plan, since time is discrete; without a deadband that would start the next drive. Unit: m. Default: 0.0002."""
+    @deadband.setter
+    def deadband(self, value: float) -> None: ...
+
+class RateSettings:
+    """
+    How fast the planned velocity may change, whatever a profile or command asks for at once.
+    """
+
+    __hash__: typing.ClassVar[None] = None
+    def __copy__(self) -> RateSettings: ...
+    def __deepcopy__(self, arg0: dict) -> RateSettings: ...
+    def __eq__(self, arg0: RateSettings) -> bool: ...
+    def __getstate__(self) -> dict: ...
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: dict) -> None: ...
+    def to_dict(self) -> dict:
+        """
+        The group's settings by name, as plain Python values.
+        """
+    @property
+    def limit(self) -> bool:
+        """Whether the planned velocity changes no faster than steps can follow. With false profiles and commands are taken as they are. Default: True."""
+    @limit.setter
+    def limit(self, value: bool) -> None: ...
+    @property
+    def forward_jump(self) -> float:
+        """Change of the forward velocity v_x that is taken up at once. A larger one follows at forward_acceleration or forward_deceleration. Unit: m/s. Default: 0.036 sqrt(g z_c)."""
+    @forward_jump.setter
+    def forward_jump(self, value: float) -> None: ...
+    @property
+    def sideways_jump(self) -> float:
+        """Change of the sideways velocity v_y that is taken up at once. A larger one follows at sideways_acceleration. Unit: m/s. Default: 0.03 sqrt(g z_c)."""
+    @sideways_jump.setter
+    def sideways_jump(self, value: float) -> None: ...
+    @property
+    def turning_jump(self) -> float:
+        """Change of the turning velocity w_z that is taken up at once. A larger one follows at turning_acceleration. Unit: rad/s. Default: 0.07 / T_c."""
+    @turning_jump.setter
+    def turning_jump(self, value: float) -> None: ...
+    @property
+    def forward_acceleration(self) -> float:
+        """Rate at which the forward velocity v_x moves away from zero. Unit: m/s^2. Default: 0.02 g."""
+    @forward_acceleration.setter
+    def forward_acceleration(self, value: float) -> None: ...
+    @property
+    def forward_deceleration(self) -> float:
+        """Rate at which the forward velocity v_x goes back to zero. Unit: m/s^2. Default: 0.056 g."""
+    @forward_deceleration.setter
+    def forward_deceleration(self, value: float) -> None: ...
+    @property
+    def sideways_acceleration(self) -> float:
+        """Rate at which the sideways velocity v_y changes. Unit: m/s^2. Default: 0.025 g."""
+    @sideways_acceleration.setter
+    def sideways_acceleration(self, value: float) -> None: ...
+    @property
+    def turning_acceleration(self) -> float:
+        """Rate at which the turning velocity w_z changes. Unit: rad/s^2. Default: 0.08 / T_c^2."""
+    @turning_acceleration.setter
+    def turning_acceleration(self, value: float) -> None: ...
+
+class TrunkSettings:
+    """
+    How the trunk is kept upright and along the path.
+    """
+
+    __hash__: typing.ClassVar[None] = None
+    def __copy__(self) -> TrunkSettings: ...
+    def __deepcopy__(self, arg0: dict) -> TrunkSettings: ...
+    def __eq__(self, arg0: TrunkSettings) -> bool: ...
+    def __getstate__(self) -> dict: ...
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: dict) -> None: ...
+    def to_dict(self) -> dict:
+        """
+        The group's settings by name, as plain Python values.
+        """
+    @property
+    def kp(self) -> float:
+        """Stiffness of the trunk's orientation: angular acceleration per angle of error. Unit: 1/s^2. Default: 300 (0.276 s / T_c)^2."""
+    @kp.setter
+    def kp(self, value: float) -> None: ...
+    @property
+    def kd(self) -> float:
+        """Damping of the trunk's orientation: angular acceleration per error of angular velocity. Unit: 1/s. Default: 35 (0.276 s / T_c)."""
+    @kd.setter
+    def kd(self, value: float) -> None: ...
+
+class PostureSettings:
+    """
+    How the joints outside the legs (waist, arms, head) are moved.
+    """
+
+    __hash__: typing.ClassVar[None] = None
+    def __copy__(self) -> PostureSettings: ...
+    def __deepcopy__(self, arg0: dict) -> PostureSettings: ...
+    def __eq__(self, arg0: PostureSettings) -> bool: ...
+    def __getstate__(self) -> dict: ...
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: dict) -> None: ...
+    def to_dict(self) -> dict:
+        """
+        The group's settings by name, as plain Python values.
+        """
+    @property
+    def task(self) -> bool:
+        """Whether the joints outside the legs are controlled. With false their motion is left to the torque of least norm. Default: True."""
+    @task.setter
+    def task(self, value: bool) -> None: ...
+    @property
+    def kp(self) -> float:
+        """Stiffness of the joints outside the legs: acceleration per angle of error. Unit: 1/s^2. Default: 100 (0.276 s / T_c)^2."""
+    @kp.setter
+    def kp(self, value: float) -> None: ...
+    @property
+    def kd(self) -> float:
+        """Damping of the joints outside the legs: acceleration per error of joint velocity. Unit: 1/s. Default: 20 (0.276 s / T_c)."""
+    @kd.setter
+    def kd(self, value: float) -> None: ...
+    @property
+    def motion_blend(self) -> float:
+        """Time in which a new joint motion takes over from the one before it. Unit: s. Default: 1.8 T_c."""
+    @motion_blend.setter
+    def motion_blend(self, value: float) -> None: ...
+
+class ArmsSettings:
+    """
+    How the arms swing so that the robot does not turn about the vertical.
+    """
+
+    __hash__: typing.ClassVar[None] = None
+    def __copy__(self) -> ArmsSettings: ...
+    def __deepcopy__(self, arg0: dict) -> ArmsSettings: ...
+    def __eq__(self, arg0: ArmsSettings) -> bool: ...
+    def __getstate__(self) -> dict: ...
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: dict) -> None: ...
+    def to_dict(self) -> dict:
+        """
+        The group's settings by name, as plain Python values.
+        """
+    @property
+    def momentum(self) -> float:
+        """Share of the yaw momentum of legs and trunk that the arms cancel by swinging, 0 to 1. Joints that a motion names do not swing. Default: 0.0."""
+    @momentum.setter
+    def momentum(self, value: float) -> None: ...
+    @property
+    def kp(self) -> float:
+        """Stiffness of the spring that brings swinging arms back to their posture: acceleration per angle. Unit: 1/s^2. Default: 20 (0.276 s / T_c)^2."""
+    @kp.setter
+    def kp(self, value: float) -> None: ...
+    @property
+    def kd(self) -> float:
+        """Rate at which swinging arms bring the robot's yaw momentum to zero. Unit: 1/s. Default: 20 (0.276 s / T_c)."""
+    @kd.setter
+    def kd(self, value: float) -> None: ...
+
+class ContactSettings:
+    """
+    How the feet that stand carry the robot.
+    """
+
+    __hash__: typing.ClassVar[None] = None
+    def __copy__(self) -> ContactSettings: ...
+    def __deepcopy__(self, arg0: dict) -> ContactSettings: ...
+    def __eq__(self, arg0: ContactSettings) -> bool: ...
+    def __getstate__(self) -> dict: ...
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: dict) -> None: ...
+    def to_dict(self) -> dict:
+        """
+        The group's settings by name, as plain Python values.
+        """
+    @property
+    def wrench_distribution(self) -> bool:
+        """Whether two standing feet share the load by the place of the ZMP between them. With false the torque of least norm decides, which ignores that feet cannot pull. Default: True."""
+    @wrench_distribution.setter
+    def wrench_distribution(self, value: bool) -> None: ...
+    @property
+    def load_alone(self) -> float:
+        """In double support one foot carries everything while the ZMP is this near to its centre line, in half sole widths. A foot that has just landed would chatter under a light load. Default: 0.7."""
+    @load_alone.setter
+    def load_alone(self, value: float) -> None: ...
+    @property
+    def damping(self) -> float:
+        """Damping of the velocity of a standing foot that does not carry the ZMP. Without a load it would drift off the ground. Unit: 1/s. Default: 100.0."""
+    @damping.setter
+    def damping(self, value: float) -> None: ...
+
+class ControlSettings:
+    """
+    How the torque is computed, how often, and within which limits.
+    """
+
+    __hash__: typing.ClassVar[None] = None
+    def __copy__(self) -> ControlSettings: ...
+    def __deepcopy__(self, arg0: dict) -> ControlSettings: ...
+    def __eq__(self, arg0: ControlSettings) -> bool: ...
+    def __getstate__(self) -> dict: ...
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: dict) -> None: ...
+    def to_dict(self) -> dict:
+        """
+        The group's settings by name, as plain Python values.
+        """
+    @property
+    def dt(self) -> float:
+        """Control period: a new torque is computed this often and held in between. It must be a multiple of the model's time step. Unit: s. Default: the model's time step."""
+    @dt.setter
+    def dt(self, value: float) -> None: ...
+    @property
+    def textbook(self) -> bool:
+        """Whether equations (1) to (13) are computed as printed instead of on the direct path. It is slower and gives the same numbers. Default: False."""
+    @textbook.setter
+    def textbook(self, value: bool) -> None: ...
+    @property
+    def singular_damping(self) -> float:
+        """Damping that keeps the joints' motion bounded where a leg is straight. Default: 0.001."""
+    @singular_damping.setter
+    def singular_damping(self, value: float) -> None: ...
+    @property
+    def singular_pivot(self) -> float:
+        """Smallest pivot of a leg's equations below which that leg counts as straight. Default: 0.01."""
+    @singular_pivot.setter
+    def singular_pivot(self, value: float) -> None: ...
+    @property
+    def friction_velocity(self) -> float:
+        """Joint speed below which dry friction is taken as proportional to the speed, so that it does not jump where a joint turns around. Unit: rad/s. Default: 0.02."""
+    @friction_velocity.setter
+    def friction_velocity(self, value: float) -> None: ...
+    @property
+    def kernel(self) -> str:
+        """Build of the inner loops: 'auto' takes the best that this processor runs, and build_info()['kernels'] names those that there are. They agree to rounding. Default: 'auto'."""
+    @kernel.setter
+    def kernel(self, value: str) -> None: ...
+    @property
+    def torque_limits(self) -> dict[str, float]:
+        """Torque limits by joint name, in place of the robot's own. A motor still gives no more than the model lets through. Unit: N m. Default: {}."""
+    @torque_limits.setter
+    def torque_limits(self, value: typing.Mapping[str, float]) -> None: ...
+
+class FallSettings:
+    """
+    What counts as a fall, which ends the run.
+    """
+
+    __hash__: typing.ClassVar[None] = None
+    def __copy__(self) -> FallSettings: ...
+    def __deepcopy__(self, arg0: dict) -> FallSettings: ...
+    def __eq__(self, arg0: FallSettings) -> bool: ...
+    def __getstate__(self) -> dict: ...
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: dict) -> None: ...
+    def to_dict(self) -> dict:
+        """
+        The group's settings by name, as plain Python values.
+        """
+    @property
+    def height(self) -> float:
+        """The robot has fallen where its COM is less high over the support foot than this share of its height at the start. Default: 0.8."""
+    @height.setter
+    def height(self, value: float) -> None: ...
+    @property
+    def tilt(self) -> float:
+        """The robot has fallen where its trunk tilts by more than this. Unit: rad. Default: 0.8."""
+    @tilt.setter
+    def tilt(self, value: float) -> None: ...
+    @property
+    def foot_tilt(self) -> float:
+        """The robot has fallen where the only foot that stands tilts by more than this, as it tips over its edge. Unit: rad. Default: 0.3."""
+    @foot_tilt.setter
+    def foot_tilt(self, value: float) -> None: ...
 
 class VelocityProfile:
     """
@@ -938,6 +1919,66 @@ class RobotDescription:
     def torque_limits(self) -> dict[str, float]:
         """
         by joint name, in place of the model's [N m]
+        """
+
+class LegParts:
+    """
+    A leg by MuJoCo's numbers: its foot's body, and its joints from hip to ankle.
+    """
+    def __init__(
+        self,
+        *,
+        foot: typing.SupportsInt | typing.SupportsIndex,
+        joints: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex],
+        side: str = "",
+        sole: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"] | None = None,
+    ) -> None: ...
+    @property
+    def foot(self) -> int:
+        """
+        body that carries the sole
+        """
+    @property
+    def joints(self) -> list[int]:
+        """
+        joints, hip to ankle
+        """
+    @property
+    def side(self) -> str:
+        """
+        'left', 'right', or '' where it is not known yet
+        """
+    @property
+    def sole(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 1]"] | None:
+        """
+        length and width of the sole (2,) [m], or None where they are not known yet
+        """
+
+class RobotParts:
+    """
+    A robot by MuJoCo's numbers: what the rules about its tree look at.
+    """
+    def __init__(
+        self,
+        *,
+        root_body: typing.SupportsInt | typing.SupportsIndex,
+        legs: collections.abc.Sequence[LegParts],
+        forward: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"] = ...,
+    ) -> None: ...
+    @property
+    def forward(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        """
+        its level direction (3,), world; zero where it is not known yet
+        """
+    @property
+    def legs(self) -> list[LegParts]:
+        """
+        two LegParts
+        """
+    @property
+    def root_body(self) -> int:
+        """
+        outermost body of its tree
         """
 
 class SoleState:
@@ -1315,6 +2356,159 @@ class TaskSpace:
         eq. 6 (m,)
         """
 
+class Plane:
+    """
+    A plane in the world: the points p with normal . p = offset.
+    """
+
+    __hash__: typing.ClassVar[None] = None
+    @staticmethod
+    def through(
+        p: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"],
+        normal: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"] = (0, 0, 1),
+    ) -> Plane:
+        """
+        The plane through `p` (3,) [m] with that normal; level by default.
+        """
+    def __eq__(self, arg0: Plane) -> bool: ...
+    def __getstate__(self) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"], float]: ...
+    def __init__(
+        self,
+        normal: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"] = (0, 0, 1),
+        offset: typing.SupportsFloat | typing.SupportsIndex = 0.0,
+    ) -> None:
+        """
+        Level ground at z = 0 by default. A column zmp_plane gives both: Plane(row[:3], row[3]).
+
+        Args:
+            normal: (3,), pointing up, of any length.
+            offset: normal . p of the plane's points p [m].
+
+        Raises:
+            InputError: a number is not finite, or the normal does not point up.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def distance(self, p: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> float:
+        """
+        Distance of `p` (3,) from the plane, positive above it [m].
+        """
+    def height(self, xy: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"]) -> float:
+        """
+        Height of the plane at world x and y `xy` (2,) [m].
+        """
+    def project(
+        self, p: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]
+    ) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        """
+        The point of the plane that is nearest to `p` (3,) [m].
+        """
+    @property
+    def normal(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        """
+        of length 1 (3,)
+        """
+    @property
+    def offset(self) -> float:
+        """
+        distance from the world's origin along the normal [m]
+        """
+
+class Contact:
+    """
+    A foot on the ground: where its sole is, what it stands on, and how large and how rough it is.
+    """
+    def __init__(
+        self,
+        p_WF: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"],
+        R_WF: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 3]"],
+        standing: bool = True,
+        ground: Plane = ...,
+        length: typing.SupportsFloat | typing.SupportsIndex = ...,
+        width: typing.SupportsFloat | typing.SupportsIndex = ...,
+        friction: typing.SupportsFloat | typing.SupportsIndex = ...,
+    ) -> None:
+        """
+        Args:
+            p_WF: sole centre (3,) [m].
+            R_WF: sole axes (3, 3), x forward, z out of the ground.
+            standing: False where the foot swings.
+            ground: Plane under it.
+            length, width: of the sole [m]; NaN: unknown.
+            friction: tangential force per normal force that does not slip yet; NaN: unknown.
+        """
+    def can_carry(self, f: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[6, 1]"]) -> bool:
+        """
+        True where the sole can give this wrench (6,), robot on ground: pressed, its centre of pressure on the sole, within friction.
+        """
+    def cop(
+        self, f: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[6, 1]"]
+    ) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 1]"]:
+        """
+        Centre of pressure of a wrench (6,) about the sole's centre, world axes: from that centre, sole axes (2,) [m].
+        """
+    def to_sole(
+        self, p: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"]
+    ) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 1]"]:
+        """
+        The point of the sole plane with world x and y `p` (2,), from the sole's centre, sole axes (2,) [m].
+        """
+    def to_world(
+        self, p_F: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"]
+    ) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 1]"]:
+        """
+        World x and y of the point of the sole that is `p_F` (2,) from its centre, sole axes (2,) [m].
+        """
+    @property
+    def R_WF(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 3]"]:
+        """
+        sole axes (3, 3)
+        """
+    @R_WF.setter
+    def R_WF(self, arg0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 3]"]) -> None: ...
+    @property
+    def friction(self) -> float:
+        """
+        tangential force per normal force that does not slip yet
+        """
+    @friction.setter
+    def friction(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
+    @property
+    def ground(self) -> Plane:
+        """
+        Plane under it
+        """
+    @ground.setter
+    def ground(self, arg0: Plane) -> None: ...
+    @property
+    def length(self) -> float:
+        """
+        of the sole along its x [m]
+        """
+    @length.setter
+    def length(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
+    @property
+    def p_WF(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        """
+        sole centre (3,) [m]
+        """
+    @p_WF.setter
+    def p_WF(self, arg0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> None: ...
+    @property
+    def standing(self) -> bool:
+        """
+        False where the foot swings
+        """
+    @standing.setter
+    def standing(self, arg0: bool) -> None: ...
+    @property
+    def width(self) -> float:
+        """
+        of the sole along its y [m]
+        """
+    @width.setter
+    def width(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
+
 class TaskAccelerations:
     """
     Commanded accelerations f* of the stacked tasks.
@@ -1414,6 +2608,7 @@ class WholeBodyController:
         standing: typing.Annotated[collections.abc.Sequence[bool], "FixedSize(2)"],
         support: str,
         f_star: TaskAccelerations,
+        ground: typing.Annotated[collections.abc.Sequence[Plane], "FixedSize(2)"] = ...,
     ) -> None:
         """
         Takes one instant.
@@ -1423,6 +2618,7 @@ class WholeBodyController:
             standing: (left, right).
             support: 'left' or 'right', about which the ZMP is taken.
             f_star: TaskAccelerations; com's x and y are not used here.
+            ground: Plane under the left and the right foot; level by default.
 
         Raises:
             InputError: no foot stands. DimensionError.
@@ -1439,12 +2635,22 @@ class WholeBodyController:
         self, f_xy: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"]
     ) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 1]"]:
         """
-        ZMP in W (2,) [m] for horizontal COM acceleration (2,) [m/s^2]; affine.
+        World x and y of the ZMP on zmp_plane (2,) [m] for horizontal COM acceleration (2,) [m/s^2]; affine on a level plane.
+        """
+    @property
+    def feet(self) -> typing.Annotated[list[Contact], "FixedSize(2)"]:
+        """
+        Contact of the left and the right foot, as prepared
+        """
+    @property
+    def zmp_plane(self) -> Plane:
+        """
+        Plane that the ZMP is taken on
         """
     @property
     def zmp_slope(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 2]"]:
         """
-        d zmp / d f_xy (2, 2) [s^2]
+        d zmp / d f_xy (2, 2) [s^2], on a tilted plane at f_xy = 0
         """
 
 class ZmpEstimate:
@@ -1461,7 +2667,7 @@ class ZmpEstimate:
     @property
     def zmp(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 1]"]:
         """
-        in W, on the plane of the support sole (2,) [m]
+        world x and y, on the common plane of the feet (2,) [m]
         """
 
 class ZmpEstimator:
@@ -1485,6 +2691,7 @@ class ZmpEstimator:
             collections.abc.Sequence[typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]], "FixedSize(2)"
         ],
         support: str,
+        ground: typing.Annotated[collections.abc.Sequence[Plane], "FixedSize(2)"] = ...,
     ) -> None:
         """
         Takes the state of one instant.
@@ -1494,10 +2701,16 @@ class ZmpEstimator:
             J_c (6 k, nv), drift_c (6 k,): of the k standing feet, left before right.
             standing: (left, right).
             soles: sole centres in W (2, 3) [m].
-            support: foot whose sole plane carries the ZMP.
+            support: foot whose sole centre the plane of the ZMP contains.
+            ground: Plane under the left and the right foot; level by default.
 
         Raises:
             DimensionError, InputError.
+        """
+    @property
+    def zmp_plane(self) -> Plane:
+        """
+        Plane that the ZMP is taken on: common_plane of the feet
         """
 
 class ReferenceResult:
@@ -1815,191 +3028,315 @@ class GaitGenerator:
         settings in force
         """
 
+class State:
+    """
+    What a control cycle knows of the robot: measured, estimated, or read from a simulator. Plain numbers.
+
+    `controller.state(data)` makes one from a simulator; whoever has numbers from elsewhere fills one in.
+    """
+    def __copy__(self) -> State: ...
+    def __init__(
+        self,
+        time: typing.SupportsFloat | typing.SupportsIndex,
+        q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"],
+        dq: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"],
+    ) -> None:
+        """
+        Args:
+            time: [s].
+            q: base position (3) [m], base quaternion (w, x, y, z), joint positions [rad]: (nv + 1,).
+            dq: base velocity in the world's axes (3) [m/s], base angular velocity in the base's axes (3) [rad/s],
+                joint velocities [rad/s]: (nv,).
+
+        Raises:
+            DimensionError: q does not have one number more than dq.
+
+        Usage:
+            >>> out = controller.update(State(t, q, dq))
+        """
+    def __repr__(self) -> str: ...
+    @property
+    def contact(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 1]"]:
+        """
+        1 where a foot touches the ground, 0 where it does not, NaN where nobody knows; left and right (2,)
+        """
+    @contact.setter
+    def contact(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"]) -> None: ...
+    @property
+    def dq(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+        """
+        base velocity (world's axes), base angular velocity (base's axes), joints (nv,)
+        """
+    @dq.setter
+    def dq(self, arg0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"]) -> None: ...
+    @property
+    def q(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+        """
+        base position, base quaternion (w, x, y, z), joints (nv + 1,)
+        """
+    @q.setter
+    def q(self, arg0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"]) -> None: ...
+    @property
+    def time(self) -> float:
+        """
+        [s]
+        """
+    @time.setter
+    def time(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
+    @property
+    def wrench(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 6]"]:
+        """
+        wrench of each foot on the ground, left and right, force then moment at the sole's centre, world's axes (2, 6)
+        [N, N m]; NaN where it is not known
+        """
+    @wrench.setter
+    def wrench(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 6]"]) -> None: ...
+
 class CycleOutput:
     """
-    Everything one control cycle decided. SI units, world frame, unless said.
+    Everything one control cycle decided.
+
+    Each number is a column of a Trace too: `Trace.columns()` is the table of them. Frames are W, the world; H, turned into the
+    heading of the walk; S, the axes of the support sole.
     """
     def __copy__(self) -> CycleOutput: ...
     def __repr__(self) -> str: ...
     @property
     def at_rest(self) -> bool:
         """
-        stands, and is not asked to walk
+        Whether the robot stands and is not asked to walk.
         """
     @property
     def com(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        COM (3,) [m]
+        Measured position of the centre of mass (COM).
+
+        (3,): x y z [m], frame W.
         """
     @property
     def com_des(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        desired COM of the next cycle (3,) [m]
+        Position of the COM that the next cycle should find; eq. (16) gives its x and y.
+
+        (3,): x y z [m], frame W.
         """
     @property
     def command(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        live command in force (v_x, v_y, w_z), NaN while the profile leads
+        Live velocity command that is in force; it is NaN while the velocity profile leads.
+
+        (3,): x y yaw [m/s, rad/s], frame H.
         """
     @property
     def damped(self) -> bool:
         """
-        a straight leg damped the motion
+        Whether the motion was damped because a leg is nearly straight.
         """
     @property
     def dcom(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        COM velocity (3,) [m/s]
+        Measured velocity of the COM.
+
+        (3,): x y z [m/s], frame W.
         """
     @property
     def dcom_des(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        desired COM velocity of the next cycle (3,) [m/s]
+        Velocity of the COM that the next cycle should find; eq. (16) gives its x and y.
+
+        (3,): x y z [m/s], frame W.
         """
     @property
     def f_c(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[12, 1]"]:
         """
-        expected contact wrenches, robot on ground, left then right (12,)
+        Wrench of the robot on the ground that is expected under each foot, at the centre of its sole; f_z < 0 where the foot carries, and a foot in the air has NaN.
+
+        (12,): left_fx left_fy left_fz left_mx left_my left_mz right_fx right_fy right_fz right_mx right_my right_mz [N, N m], frame W.
         """
     @property
     def fall_cause(self) -> str:
         """
-        why, or ''
+        Why the robot fell; it is empty where the robot did not.
         """
     @property
     def fell(self) -> bool:
         """
-        the robot fell
+        Whether the robot has fallen, which ends the walk.
         """
     @property
     def foot_left(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[7, 1]"]:
         """
-        left sole pose: position, quaternion (7,)
+        Pose of the left sole: position of its centre, and unit quaternion of its axes.
+
+        (7,): x y z qw qx qy qz [m], frame W.
         """
     @property
     def foot_right(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[7, 1]"]:
         """
-        right sole pose: position, quaternion (7,)
+        Pose of the right sole: position of its centre, and unit quaternion of its axes.
+
+        (7,): x y z qw qx qy qz [m], frame W.
         """
     @property
     def foothold(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        target of the swing foot (x, y, yaw)
+        Place and direction in which the swing foot is to land; it is NaN in double support.
+
+        (3,): x y yaw [m, rad], frame W.
         """
     @property
     def fresh(self) -> bool:
         """
-        computed in this call, not held from an earlier one
+        Whether this call computed the torque and did not hold an earlier one.
         """
     @property
     def heading(self) -> float:
         """
-        of the walk, in the world [rad]
+        Direction in which the path leads, as an angle from the world's x axis.
+
+        [rad], frame W.
         """
     @property
     def iterations(self) -> int:
         """
-        passes of III-B, 0 where the ZMP was left alone
+        Number of passes of III-B; it is 0 where the ZMP is left alone.
         """
     @property
     def phase(self) -> int:
         """
-        0 double, 1 single support
+        Phase of the step: 0 is double support, 1 is single support.
         """
     @property
     def phase_time(self) -> float:
         """
-        since the phase began [s]
+        Time since the phase began.
+
+        [s].
         """
     @property
     def saturated(self) -> bool:
         """
-        a torque was cut to its limit
+        Whether a torque was cut to its limit.
         """
     @property
     def step(self) -> int:
         """
-        number of the step
+        Number of the step, from 0 on; a step is a double support and the single support after it.
         """
     @property
     def support(self) -> int:
         """
-        +1 left, -1 right: the foot that carries the ZMP
+        Foot that carries the ZMP: +1 is the left foot, -1 the right foot.
         """
     @property
     def t(self) -> float:
         """
-        simulation time of the state [s]
+        Time in the simulation of the state that this cycle read.
+
+        [s].
         """
     @property
     def tau(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
         """
-        joint torques, in the order of the joints (nu,) [N m]
+        Torque that is sent to each joint.
+
+        (joints,) [N m].
         """
     @property
     def torque_ratio(self) -> float:
         """
-        largest |tau| / limit
+        Largest ratio of a joint's torque to its limit, before torques are cut to their limits.
         """
     @property
     def v_des(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        desired velocity (v_x, v_y, w_z), heading frame
+        Desired velocity: horizontal velocity of the COM that the next cycle should find, and the planned turning rate.
+
+        (3,): x y yaw [m/s, rad/s], frame H.
         """
     @property
     def v_error_integral(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        integral of v_des - v_plan (3,) [m, m, rad]
+        Integral over time of v_des minus v_plan, which velocity tracking (III-C) brings back to zero; it is taken along x alone and is zero in the other two.
+
+        (3,): x y yaw [m, rad], frame H.
         """
     @property
     def v_plan(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        planned velocity (v_x, v_y, w_z), heading frame
+        Planned velocity: that of the command or the profile, changed no faster than the steps can follow.
+
+        (3,): x y yaw [m/s, rad/s], frame H.
         """
     @property
     def w_T(self) -> float:
         """
-        eq. 18: lateral velocity in the middle of the next single support if the ZMP switched now [m/s]
+        Lateral velocity that the COM would have in the middle of the next single support if the ZMP switched feet now (eq. 18); it is NaN while no switch is awaited.
+
+        [m/s], frame H.
         """
     @property
     def zmp_des(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 1]"]:
         """
-        desired ZMP (2,) [m]
+        Desired ZMP: the bound that III-B brings the ZMP to, or the estimate itself where the ZMP is left alone.
+
+        (2,): x y [m], frame W.
         """
     @property
     def zmp_est(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 1]"]:
         """
-        estimated ZMP (2,) [m]
+        ZMP that the torque of this cycle will produce, estimated before it is sent (eq. 14, 15).
+
+        (2,): x y [m], frame W.
         """
     @property
     def zmp_first(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 1]"]:
         """
-        estimate of the first pass of III-B (2,) [m], NaN where the ZMP was left alone
+        Estimated ZMP of the first pass of III-B, whose reference is the desired ZMP; it is NaN where the ZMP is left alone.
+
+        (2,): x y [m], frame W.
         """
     @property
     def zmp_lower(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 1]"]:
         """
-        designed lower bound (2,) [m]
+        Corner of the designed bounds of the ZMP that lies at their lower end along both axes of the support sole.
+
+        (2,): x y [m], frame W.
         """
     @property
     def zmp_modified(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 1]"]:
         """
-        -1 brought to the lower bound, +1 to the upper, 0 left alone (2,)
+        What III-B does along each axis of the support sole: -1 brings the ZMP to the lower bound, +1 to the upper bound, 0 leaves it alone.
+
+        (2,): x y, frame S.
+        """
+    @property
+    def zmp_plane(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[4, 1]"]:
+        """
+        Plane that every zmp_* lies on, as the points p with n . p = d: its unit normal n, which has no unit, and d.
+
+        (4,): nx ny nz d [m], frame W.
         """
     @property
     def zmp_ref(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 1]"]:
         """
-        reference ZMP of the pendulum (2,) [m]
+        Reference ZMP: the ZMP that the pendulum of eq. (16) is given.
+
+        (2,): x y [m], frame W.
         """
     @property
     def zmp_slope(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 1]"]:
         """
-        d zmp_est / d zmp_ref (2,)
+        Derivative of the estimated ZMP with respect to the reference ZMP, along each axis of the support sole.
+
+        (2,): x y, frame S.
         """
     @property
     def zmp_upper(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 1]"]:
         """
-        designed upper bound (2,) [m]
+        Corner of the designed bounds of the ZMP that lies at their upper end along both axes of the support sole.
+
+        (2,): x y [m], frame W.
         """
 
 class WalkingController:
@@ -2080,6 +3417,12 @@ class WalkingController:
         """
         Share of the legs' reach that walking with velocity (v_x, v_y, w_z) takes; at most 1 can be walked.
         """
+    @typing.overload
+    def reset(self, state: State) -> None:
+        """
+        Starts a walk from a State; moves nothing.
+        """
+    @typing.overload
     def reset(self, data: typing.Any) -> None:
         """
         Reads the state and starts a walk there; moves nothing.
@@ -2087,6 +3430,25 @@ class WalkingController:
         Raises:
             InputError: the state is not finite.
         """
+    def state(self, data: typing.Any) -> State:
+        """
+        The robot's part of `data` as plain numbers: time, position and velocity. What feet feel is left unknown.
+
+        Args:
+            data: mujoco.MjData.
+
+        Returns:
+            State.
+
+        Raises:
+            InputError: data of another model.
+        """
+    @typing.overload
+    def update(self, state: State) -> CycleOutput:
+        """
+        Computes the torque for a State, in the output's `tau`; changes nothing outside the controller.
+        """
+    @typing.overload
     def update(self, data: typing.Any, after_step1: bool = False) -> CycleOutput:
         """
         Computes the torque for the state in `data`, writes data.ctrl, returns a copy of what was decided.
@@ -2164,6 +3526,53 @@ class WalkingController:
         how each joint's torque reaches MuJoCo, by joint name: "motor 'l_knee'", "qfrc_applied: position servo 'l_knee' is silenced", ...
         """
 
+class RecordedColumn:
+    """
+    What a recorded column is: one row of `recorded_columns`.
+    """
+    def __repr__(self) -> str: ...
+    @property
+    def decided(self) -> bool:
+        """
+        Whether the cycle decides it, so that it is a property of CycleOutput too; else it is known only after the step.
+        """
+    @property
+    def frame(self) -> str:
+        """
+        Frame in which the numbers are given: W, the world; H, turned into the heading of the walk; S, the axes of the
+        support sole. It is empty where they have none.
+        """
+    @property
+    def meaning(self) -> str:
+        """
+        What the numbers mean, in a sentence.
+        """
+    @property
+    def name(self) -> str:
+        """
+        Name of the column in a Trace, and of the property of CycleOutput.
+        """
+    @property
+    def parts(self) -> list[str]:
+        """
+        Names of the numbers in a row; empty where there is one, or where the robot says how many.
+        """
+    @property
+    def size(self) -> str:
+        """
+        The same in words: "3", "joints", "nv + 1".
+        """
+    @property
+    def unit(self) -> str:
+        """
+        SI unit of the numbers; empty where they have none.
+        """
+    @property
+    def width(self) -> int | None:
+        """
+        How many numbers a row holds; None where the robot says how many.
+        """
+
 class Recorder:
     """
     Cycle records as columns; row k is the state before step k and what was decided there.
@@ -2204,6 +3613,29 @@ def benchmark_cycle(
         ModelError, InputError as WalkingController; InputError for a Runge-Kutta integrator.
     """
 
+def benchmark_walk(
+    model: typing.Any,
+    description: RobotDescription,
+    settings: WalkSettings,
+    profile: VelocityProfile,
+    duration: typing.SupportsFloat | typing.SupportsIndex,
+    on_progress: typing.Any = None,
+) -> dict:
+    """
+    Times a recorded walk and mj_step alone on the same states, piece by piece in turn.
+
+    Args:
+        duration: simulated time [s].
+        on_progress: called as f(t, duration) about 10 times a second; may raise.
+
+    Returns:
+        columns by name, (pieces,): walk, bare, microseconds per step; difference, the largest difference of qvel between
+        the two at the end of the piece, which is zero.
+
+    Raises:
+        ModelError, InputError as WalkingController; InputError for a Runge-Kutta integrator.
+    """
+
 def build_info() -> dict:
     """
     How this copy was built, and what it runs here.
@@ -2214,6 +3646,20 @@ def build_info() -> dict:
 
     Usage:
         >>> zmpwalk.build_info()['kernel']
+    """
+
+def common_plane(feet: typing.Annotated[collections.abc.Sequence[Contact], "FixedSize(2)"], support: str) -> Plane:
+    """
+    Plane on which the ZMP of two feet is taken, through the support sole's centre.
+
+    One standing foot: the ground under the support foot. Two: the plane that contains the line between the two places where they stand, and otherwise leans as the two grounds do on average.
+
+    Args:
+        feet: Contact of the left and the right foot.
+        support: 'left' or 'right'.
+
+    Raises:
+        InputError: support is neither.
     """
 
 def describe(model: typing.Any) -> RobotDescription:
@@ -2235,7 +3681,7 @@ def distribute_wrench(
     alone: typing.SupportsFloat | typing.SupportsIndex = 0.0,
 ) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[12, 1]"]:
     """
-    Shares a total wrench (F, M about P) between two feet with sole centres c, exactly; (12,).
+    Shares a total wrench (F, M about P) between two feet with sole centres c, exactly, whatever their heights and tilts; (12,).
     """
 
 def iterate_reference(
@@ -2257,10 +3703,33 @@ def iterate_reference(
     """
 
 def measured_zmp(
-    model: typing.Any, data: typing.Any, description: RobotDescription
+    model: typing.Any, data: typing.Any, description: RobotDescription, plane: Plane | None = None
 ) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 1]"]:
     """
-    ZMP of MuJoCo's contact forces under the feet (2,) [m], W; NaN without contact. After mj_step it belongs to the state before it.
+    World x and y of the ZMP of MuJoCo's contact forces under the feet (2,) [m]; NaN without contact.
+
+    After mj_step it belongs to the state before it.
+
+    Args:
+        plane: Plane that it is taken on. None: the level plane at the height of the soles, weighted by their loads.
+    """
+
+@typing.overload
+def model_reasons(model: typing.Any, description: RobotDescription | None = None) -> list:
+    """
+    All that keeps a robot from walking: (rule, sentence) pairs, none where nothing does.
+
+    Args:
+        description: the robot to look at; None looks at the world alone: gravity, time step, contacts, and a tree with most of the joints that is fixed to the world.
+    """
+
+@typing.overload
+def model_reasons(model: typing.Any, robot: RobotParts, upright: typing.Any = None) -> list:
+    """
+    The same for a robot that has no description yet.
+
+    Args:
+        upright: data with the robot on level feet, after mj_kinematics and mj_comPos; with it, and with the robot's forward direction, the directions of the legs' axes are looked at too.
     """
 
 def mujoco_version() -> str:
@@ -2276,6 +3745,11 @@ def pd_acceleration(
 ) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
     """
     Eq. 8: f* = kp (x_d - x) + kd (v_d - v).
+    """
+
+def recorded_columns() -> list[RecordedColumn]:
+    """
+    The table of everything that is recorded, in the order of the record.
     """
 
 def simulate(
@@ -2342,5 +3816,21 @@ def zmp_of_wrench(
     M: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"],
 ) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 1]"]:
     """
-    Eq. 14, 15: (-M_y / F_z, M_x / F_z) (2,) [m].
+    Eq. 14, 15 on the level plane through the point about which M is taken, from that point: (-M_y / F_z, M_x / F_z) (2,) [m].
+    """
+
+def zmp_on_plane(
+    F: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"],
+    M: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"],
+    s: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"],
+    plane: Plane,
+) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+    """
+    Eq. 14, 15 on any plane: the point of `plane` about which a wrench has a moment along its normal only (3,) [m].
+
+    Args:
+        F: force (3,) [N].
+        M: moment about `s` (3,) [N m].
+        s: any point (3,) [m], world axes all.
+        plane: Plane.
     """

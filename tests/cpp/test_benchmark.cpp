@@ -36,7 +36,7 @@ BOOST_AUTO_TEST_CASE(fast_path_is_the_textbook_over_a_walk_with_all_phases) {
 BOOST_AUTO_TEST_CASE(bare_physics_takes_the_very_steps_of_the_walk_it_is_timed_beside) {
   for (const double dt : {0.001, 0.004}) {
     const std::vector<Column> columns = benchmark_walk(
-        mahru(), describe(mahru()), with([&](WalkSettings& s) { s.control_dt = dt; }), VelocityProfile::paper(), 2.0);
+        mahru(), describe(mahru()), with([&](WalkSettings& s) { s.control.dt = dt; }), VelocityProfile::paper(), 2.0);
     BOOST_REQUIRE_EQUAL(column(columns, "difference").size(), 99);  // each of 20 ms; the last has no cycle after it
     for (const double difference : column(columns, "difference")) BOOST_CHECK_EQUAL(difference, 0.0);
     for (const char* name : {"walk", "bare"})

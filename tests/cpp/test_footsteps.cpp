@@ -312,11 +312,6 @@ BOOST_AUTO_TEST_CASE(settings_come_from_the_robot_where_they_are_not_set) {
   CHECK_NEAR(s.gait.T_ds_first, 0.1806, 1e-3);
   BOOST_CHECK_EQUAL(s.control.dt, 0.001);
   BOOST_CHECK_EQUAL(s.steps.width, 0.22);
-  visit_settings(s, [](const char* name, const auto& value, const char*, const char* meaning) {
-    BOOST_CHECK_MESSAGE(std::string(meaning).size() > 10, name);
-    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>)
-      BOOST_CHECK_MESSAGE(std::isfinite(value), name);
-  });
   CHECK_NEAR(s.steps.capture_distance, 0.07 * 0.747, 1e-12);
   CHECK_NEAR(s.steps.capture_speed, 0.2 * std::sqrt(9.81 * 0.747), 1e-12);
   // A robot four times as tall walks half as fast in time: periods double, k_p goes with 1/4, k_d with 1/2.
@@ -377,16 +372,16 @@ BOOST_AUTO_TEST_CASE(a_faster_walk_lifts_the_foot_less_where_the_forward_swing_t
 BOOST_AUTO_TEST_CASE(choices_have_names_and_unknown_names_are_refused_with_those_that_exist) {
   for (const std::string name : {"tied", "absolute", "paper", "printed", "list"}) {
     Footsteps value{};
-    from_string(name, value);
+    from_string("footsteps", name, value);
     BOOST_CHECK_EQUAL(to_string(value), name);
   }
   TrackerLaw tracker{};
-  from_string("bang_bang", tracker);
+  from_string("tracker", "bang_bang", tracker);
   BOOST_CHECK(tracker == TrackerLaw::kBangBang);
   Footsteps value{};
-  CHECK_THROWS(from_string("tide", value), InputError,
+  CHECK_THROWS(from_string("footsteps", "tide", value), InputError,
                "footsteps = 'tide' is unknown; there are: tied, absolute, paper, printed, list");
   Iteration iteration{};
-  CHECK_THROWS(from_string("", iteration), InputError, "there are: closed_form, loop");
+  CHECK_THROWS(from_string("iteration", "", iteration), InputError, "there are: closed_form, loop");
   CHECK_THROWS(WalkSettings("papyrus"), InputError, "law = 'papyrus' is unknown; there are: default, paper");
 }

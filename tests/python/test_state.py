@@ -3,7 +3,6 @@
 import mujoco
 import numpy as np
 import pytest
-
 import zmpwalk
 
 
@@ -37,7 +36,7 @@ def test_update_on_numbers_gives_the_torque_of_update_on_data_bit_for_bit(walker
 
 
 def test_state_of_a_simulator_is_its_position_velocity_and_time(walker):
-    controller, model, data = walker()
+    controller, _model, data = walker()
     data.time = 1.5
     state = controller.state(data)
     assert state.time == 1.5
@@ -58,7 +57,7 @@ def test_a_loop_of_ones_own_walks_with_the_simulator_as_nothing_but_physics(walk
 
 
 def test_update_on_numbers_writes_nothing_outside_the_controller(walker):
-    controller, model, data = walker()
+    controller, _model, data = walker()
     controller.reset(read(controller, data))
     state = read(controller, data)
     before = state.q.copy(), state.dq.copy(), data.ctrl.copy(), data.qfrc_applied.copy()
@@ -84,7 +83,7 @@ def test_a_controller_whose_model_is_off_by_a_tenth_in_mass_walks(walker, factor
 
 
 def test_what_is_no_state_is_refused_and_changes_nothing(walker):
-    controller, model, data = walker()
+    controller, _model, data = walker()
     with pytest.raises(zmpwalk.DimensionError, match="dq"):
         zmpwalk.State(0.0, data.qpos, data.qvel[:-1])
     with pytest.raises(zmpwalk.InputError, match="before reset"):
