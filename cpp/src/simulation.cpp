@@ -113,6 +113,11 @@ RunResult Simulation::run(double duration, Recorder& recorder, const std::functi
     }
     const double t = d->time;
     if (in_two) mj_step1(m, d);
+    if (diverged(d)) {  // MuJoCo has reset itself, and with it the clock: what it holds now is no state of the walk
+      d->time = t;
+      result.fell = Fall::kNonFinite;
+      break;
+    }
     const auto before = std::chrono::steady_clock::now();
     const CycleOutput& out = controller_.update(d, in_two ? Terms::kInData : Terms::kCompute);
     if (out.fresh) result.cycle_us.push_back(1e6 * seconds_since(before));
@@ -121,7 +126,7 @@ RunResult Simulation::run(double duration, Recorder& recorder, const std::functi
       mj_step2(m, d);
     else
       mj_step(m, d);
-    if (diverged(d)) d->time = t + dt;  // MuJoCo has reset itself, and with it the clock
+    if (diverged(d)) d->time = t + dt;
     recorder.add(out, d);
     if (out.fresh) {
       const bool touches = !std::isnan(recorder.contact().wrench[2]) || !std::isnan(recorder.contact().wrench[8]);
