@@ -1,6 +1,8 @@
 // The control cycle and a plan alone, for tools that want a program: callgrind counts their instructions
 // (benchmarks/instructions.py), and two builds of the cycle are timed against each other (benchmarks/native.py).
 
+#include <mujoco/mujoco.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -10,7 +10,7 @@ namespace zmpwalk {
 PendulumState roll_out(const LinearInvertedPendulum& pendulum, const VelocityProfile& plan,
                        const VelocityProfile::Moment& now, const VelocityProfile::Moment& then, double time,
                        const PendulumState& state, const ForwardStance& stance) {
-  // Eq. (16) in pieces, by the DCM and its mirror image x - T_c v: each leaves, or nears, the ZMP exponentially.
+  // The pendulum of (16) in pieces, by the DCM and its mirror image x - T_c v: each leaves, or nears, the ZMP exponentially.
   constexpr int kPieces = 16;
   const double Tc = pendulum.Tc(), dt = time / kPieces, grow = std::exp(dt / Tc);
   const double share = -std::expm1(-dt / stance.tracker_time) / dt;  // of a speed error, in a piece [1/s]
