@@ -19,6 +19,8 @@ auto array(Member Dynamics::* member, const char* name) {
                         py::cpp_function([member, name](Dynamics& d, const Member& value) {
                           require_shape(name, value.rows(), value.cols(), (d.*member).rows(), (d.*member).cols());
                           d.*member = value;
+                          if constexpr (std::is_same_v<Member, RowMatX>)  // A: a matrix of one's own may have no zeros
+                            d.A_sparsity = Sparsity(d.nv());
                         }));
 }
 

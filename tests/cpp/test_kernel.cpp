@@ -4,6 +4,7 @@
 
 #include "testing.hpp"
 #include "zmpwalk/control/kernel_choice.hpp"
+#include "zmpwalk/control/sparsity.hpp"
 #include "zmpwalk/math/error.hpp"
 #include "zmpwalk/math/types.hpp"
 
@@ -65,8 +66,32 @@ BOOST_AUTO_TEST_CASE(products_are_those_of_eigen) {
       const RowMatX S = A + A.transpose();
       const Rows4 X = random_matrix(n, 4, 5);
       Rows4 Y = Rows4::Zero(n, 4);
-      k->multiply(n, S.data(), X.data(), Y.data());
+      k->multiply(n, S.data(), Sparsity(n).spans(), X.data(), Y.data());
       BOOST_CHECK_SMALL((Y - S * X).cwiseAbs().maxCoeff(), 100 * kRounding);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(product_with_the_inertia_of_a_tree_is_the_whole_product) {
+  std::mt19937 random(6);
+  for (const Kernel* k : kernels())
+    for (const int n : kSizes) {
+      // A random tree; an entry is zero where neither coordinate is before the other on the way to the root.
+      std::vector<int> parent(n);
+      for (int i = 0; i < n; ++i) parent[i] = static_cast<int>(random() % (i + 1)) - 1;
+      const auto moves = [&](int i, int j) {
+        while (j > i) j = parent[j];
+        return i == j;
+      };
+      RowMatX S = random_matrix(n, n, 4);
+      S = (S + S.transpose()).eval();
+      for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j)
+          if (!moves(i, j) && !moves(j, i)) S(i, j) = 0.0;
+      const Rows4 X = random_matrix(n, 4, 5);
+      Rows4 sparse = Rows4::Zero(n, 4), whole = Rows4::Zero(n, 4);
+      k->multiply(n, S.data(), Sparsity::of_tree(parent).spans(), X.data(), sparse.data());
+      k->multiply(n, S.data(), Sparsity(n).spans(), X.data(), whole.data());
+      BOOST_CHECK(sparse == whole);
     }
 }
 

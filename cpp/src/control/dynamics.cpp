@@ -6,6 +6,7 @@ Dynamics::Dynamics(int nv)
     : q(VecX::Zero(nv - 6)),
       dq(VecX::Zero(nv)),
       A(RowMatX::Zero(nv, nv)),
+      A_sparsity(nv),
       b(VecX::Zero(nv)),
       g(VecX::Zero(nv)),
       drift_momentum(VecX::Zero(nv)),

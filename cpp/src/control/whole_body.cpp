@@ -98,7 +98,7 @@ void WholeBodyController::prepare_direct(const TaskAccelerations& f_star) {
   ddq_.col(0) = known_;
   if (!solve_by_leg(rows)) solve_together(rows);
 
-  kernel_->multiply(nv_, dyn.A.data(), ddq_.data(), w_.data());
+  kernel_->multiply(nv_, dyn.A.data(), dyn.A_sparsity.spans(), ddq_.data(), w_.data());
   w_.col(0) += dyn.b + dyn.g;
   // Base rows: the feet's forces add up to -w_1..3; their moment about the base, in base axes, to -w_4..6.
   F_ = -w_.topLeftCorner<3, 3>();

@@ -51,6 +51,10 @@ Robot::Robot(const mjModel* m, const RobotDescription& description)
   qpos0_ = m->jnt_qposadr[root];
   dof0_ = m->jnt_dofadr[root];
 
+  std::vector<int> parent(nv_);
+  for (int i = 0; i < nv_; ++i) parent[i] = std::max(m->dof_parentid[dof0_ + i] - dof0_, -1);
+  dynamics_.A_sparsity = Sparsity::of_tree(parent);
+
   stand_ = VecX::Zero(joints());
   torque_limit_ = VecX::Zero(joints());
   for (int j = 0; j < joints(); ++j) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "zmpwalk/control/sparsity.hpp"
 #include "zmpwalk/math/types.hpp"
 
 namespace zmpwalk {
@@ -30,6 +31,7 @@ struct Dynamics {
   VecX q;               ///< joint positions (joints,) [rad or m], base excluded
   VecX dq;              ///< velocities (nv,)
   RowMatX A;            ///< inertia (nv, nv), armature included
+  Sparsity A_sparsity;  ///< which entries of A may differ from zero; all, unless a robot knows better
   VecX b;               ///< velocity terms and passive joint forces, moved to the left side (nv,)
   VecX g;               ///< gravity (nv,)
   VecX drift_momentum;  ///< b without passive forces (nv,): its first three rows are M Jcom_dot dq

@@ -19,8 +19,8 @@ struct Kernel {
   /// @returns the smallest pivot's size; 0, or less than what it is compared with, means that Y is not to be used
   double (*solve_leg)(double* system);
 
-  /// Y = A X: A (n, n) symmetric, row after row; X, Y (n,)[4].
-  void (*multiply)(int n, const double* A, const double* X, double* Y);
+  /// Y = A X: A (n, n) symmetric, row after row; X, Y (n,)[4]. Entries of A outside `spans` (`Sparsity::spans`) are taken as zero.
+  void (*multiply)(int n, const double* A, const int* spans, const double* X, double* Y);
 
   /// tau_i = w_i . at + J_left_i . f_left + J_right_i . f_right: w (n,)[4], at [4], J (6, n) column after column, f (6,).
   void (*joint_torque)(int n, const double* w, const double* at, const double* J_left, const double* f_left,

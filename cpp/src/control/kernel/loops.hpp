@@ -47,20 +47,22 @@ double solve_leg(double* system) {
   return least;
 }
 
-void multiply(int n, const double* A, const double* X, double* Y) {
+void multiply(int n, const double* A, const int* spans, const double* X, double* Y) {
   const Row* x = reinterpret_cast<const Row*>(X);
   Row* y = reinterpret_cast<Row*>(Y);
   int i = 0;
   for (; i + 3 < n; i += 4) {  // four rows at a time, so that additions need not wait for each other
     const double* a = A + i * n;
     Row sum[4] = {all(0), all(0), all(0), all(0)};
-    for (int j = 0; j < n; ++j)
-      for (int r = 0; r < 4; ++r) sum[r] += all(a[r * n + j]) * x[j];
+    for (int count = *spans++; count > 0; --count, spans += 2)
+      for (int j = spans[0]; j < spans[1]; ++j)
+        for (int r = 0; r < 4; ++r) sum[r] += all(a[r * n + j]) * x[j];
     for (int r = 0; r < 4; ++r) y[i + r] = sum[r];
   }
   for (; i < n; ++i) {
     Row sum = all(0);
-    for (int j = 0; j < n; ++j) sum += all(A[i * n + j]) * x[j];
+    for (int count = *spans++; count > 0; --count, spans += 2)
+      for (int j = spans[0]; j < spans[1]; ++j) sum += all(A[i * n + j]) * x[j];
     y[i] = sum;
   }
 }
