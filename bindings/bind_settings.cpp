@@ -178,17 +178,18 @@ std::string class_name(std::string group) {
 std::string documentation() {
   std::string text =
       "Every gain, bound and switch of the walk, in groups: `settings.tracking.gain`.\n\n"
-      "Each setting has one word as well (in brackets below), which does the same as keyword, attribute and in files.\n"
-      "NaN means 'from the robot': WalkingController fills it in. Defaults scale with the height z_c of the COM over\n"
-      "the soles at the start, with gravity g, and with T_c = sqrt(z_c / g), the time constant in which the robot "
-      "would\n"
-      "fall over.\n\nArgs:\n    law: preset, 'default' or 'paper' (the literal law of the paper).\n";
+      "Each setting has one word as well (in brackets below, where it is not the name itself), which does the same as\n"
+      "keyword, as attribute and in files. NaN means 'from the robot': WalkingController fills it in. Defaults scale\n"
+      "with the height z_c of the COM over the soles at the start, with gravity g, and with T_c = sqrt(z_c / g), the\n"
+      "time constant in which the robot would fall over.\n\nArgs:\n    law: preset, 'default' or 'paper' (the literal "
+      "law of the paper).\n";
   const WalkSettings defaults;
   visit_groups(defaults, [&](const auto& group) {
     text +=
         std::string("    ") + group.kGroup + ": " + group.kMeaning + " A dict, or " + class_name(group.kGroup) + ".\n";
     visit_group(group, [&](const auto& member, const Setting& row) {
-      text += "        " + std::string(row.name) + " (" + row.flat + "): " + text_of(row_of(member, row)) + "\n";
+      const std::string name = row.name, word = name == row.flat ? "" : " (" + std::string(row.flat) + ")";
+      text += "        " + name + word + ": " + text_of(row_of(member, row)) + "\n";
     });
   });
   return text +

@@ -120,7 +120,8 @@ def test_every_text_stands_alone_with_unit_and_default():
         assert (row.default != row.default) == bool(row.rule)  # NaN: from the robot
         assert path + ":" in getattr(WalkSettings, row.flat).__doc__
         assert row.text in getattr(type(getattr(WalkSettings(), row.group)), row.name).__doc__
-        assert f"{row.name} ({row.flat}): {row.text}" in WalkSettings.__init__.__doc__
+        names = row.name if row.name == row.flat else f"{row.name} ({row.flat})"
+        assert f"    {names}: {row.text}\n" in WalkSettings.__init__.__doc__
 
 
 def test_notation_names_settings_that_exist_and_no_values():
