@@ -523,3 +523,70 @@ BOOST_AUTO_TEST_CASE(
         BOOST_CHECK_LE(fine.p, 0.6 * coarse.p + 1e-9);
       }
 }
+
+BOOST_AUTO_TEST_CASE(a_contact_ends_a_step_only_after_the_foot_was_in_the_air_and_late_in_its_swing) {
+  WalkSettings s = settings();
+  s.touch_down = TouchDown::kContact;
+  /// Length of the first single support [s] of a foot that is off the ground where `flies` says so; NaN: not known.
+  const auto length = [&](const std::function<double(double)>& contact, bool felt_before = true) {
+    TestWalk walk(s);
+    Phase phase = Phase::kDoubleSupport;
+    for (double lifted = kNaN;;) {
+      const GaitOutput& before = walk.gait.output();
+      walk.in.contact.setConstant(felt_before ? 1.0 : 0.0);
+      if (phase == Phase::kSingleSupport) walk.in.contact[before.swing] = contact(before.phase.time + walk.dt);
+      const GaitOutput& now = walk.step();
+      if (now.phase.phase == Phase::kSingleSupport && phase == Phase::kDoubleSupport) lifted = walk.in.t;
+      if (now.phase.phase == Phase::kDoubleSupport && phase == Phase::kSingleSupport) return walk.in.t - lifted;
+      phase = now.phase.phase;
+    }
+  };
+  const auto from_to = [](double off, double on) { return [=](double t) { return t >= off && t < on ? 0.0 : 1.0; }; };
+  const double T = s.T_ss, cycle = 1.001e-3;
+  CHECK_NEAR(length([](double) { return kNaN; }), T, cycle);             // not known: by time
+  CHECK_NEAR(length(from_to(0.03, 0.5)), 0.5, cycle);                    // early
+  CHECK_NEAR(length(from_to(0.03, T + 0.06)), T + 0.06, cycle);          // late
+  CHECK_NEAR(length(from_to(0.03, 9.0)), T + s.touch_down_time, cycle);  // nowhere: by time at last
+  CHECK_NEAR(length(from_to(9.0, 9.0)), T, cycle);                       // never off the ground
+  CHECK_NEAR(length([&](double t) { return t < 0.03 || (t > 0.2 && t < 0.21) || t > T ? 1.0 : 0.0; }), T,
+             cycle);                                       // scuffs
+  CHECK_NEAR(length(from_to(0.0, 9.0), false), T, cycle);  // a foot that was never felt ends its step by time
+  s.touch_down_share = 0.8;
+  CHECK_NEAR(length(from_to(0.03, 0.3)), 0.8 * T, cycle);
+  s.touch_down = TouchDown::kTime;
+  CHECK_NEAR(length(from_to(0.03, 0.3)), T, cycle);
+}
+
+BOOST_AUTO_TEST_CASE(
+    a_landing_before_its_time_leaves_the_next_lift_off_at_its_time_and_one_after_it_the_double_support_at_its_length) {
+  for (const double later : {-0.06, 0.06}) {
+    WalkSettings s = settings();
+    s.touch_down = TouchDown::kContact;
+    TestWalk as_planned(s), disturbed(s);
+    const auto until_step_8_lifts = [&](TestWalk& walk, double of_step_7) {
+      double landed = kNaN;
+      while (walk.gait.output().phase.step < 8 || walk.gait.output().phase.phase == Phase::kDoubleSupport) {
+        feel(walk, of_step_7);
+        const Phase before = walk.gait.output().phase.phase;
+        if (walk.step().phase.phase == Phase::kDoubleSupport && before == Phase::kSingleSupport) landed = walk.in.t;
+      }
+      return std::pair(landed, walk.in.t);
+    };
+    const auto [landed, lifts] = until_step_8_lifts(as_planned, 0.0);
+    const auto [landed_2, lifts_2] = until_step_8_lifts(disturbed, later);
+    CHECK_NEAR(landed_2 - landed, later, 1.001e-3);
+    CHECK_NEAR(lifts_2 - lifts, later < 0.0 ? 0.0 : later, 1.001e-3);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_time_for_the_phase_under_way_is_positive_and_a_stand_takes_none) {
+  TestWalk walk(settings(), 0.0, VelocityProfile({0.0, 1.0}, {Vec3::Zero(), Vec3(0.2, 0, 0)}));
+  for (const double wrong : {0.0, -0.1, kNaN}) CHECK_THROWS(walk.gait.retime(wrong), InputError, "remaining = ");
+  while (walk.in.t < 0.5) BOOST_REQUIRE(walk.step().at_rest);
+  walk.gait.retime(0.01);
+  while (walk.in.t < 0.8) BOOST_CHECK(walk.step().at_rest);
+  while (walk.step().phase.phase == Phase::kDoubleSupport) continue;
+  walk.gait.retime(0.2);
+  const double since = walk.gait.output().phase.time;
+  CHECK_NEAR(walk.step().phase.duration, since + 0.2, 1e-9);
+}
