@@ -31,12 +31,14 @@ struct PyGait {
   GaitGenerator gait;
 };
 
-GaitInput input(double t, const Vec2& com, const Vec2& dcom, const std::array<Vec3, 2>& soles) {
+GaitInput input(double t, const Vec2& com, const Vec2& dcom, const std::array<Vec3, 2>& soles,
+                const Vec2& contact = Vec2::Constant(kNaN)) {
   GaitInput in;
   in.t = t;
   in.com = com;
   in.dcom = dcom;
   in.p_sole = soles;
+  in.contact = contact;
   return in;
 }
 
@@ -47,6 +49,8 @@ void bind_gait_generator(py::module_& m) {
       .def_property_readonly(
           "phase", [](const GaitOutput& o) { return static_cast<int>(o.phase.phase); }, "0 double, 1 single support")
       .def_property_readonly("step", [](const GaitOutput& o) { return o.phase.step; })
+      .def_property_readonly(
+          "phase_duration", [](const GaitOutput& o) { return o.phase.duration; }, "[s]; it changes with events")
       .def_property_readonly(
           "phase_time", [](const GaitOutput& o) { return o.phase.time; }, "[s]")
       .def_property_readonly(
@@ -83,11 +87,19 @@ void bind_gait_generator(py::module_& m) {
           "Starts a walk from two standing feet: COM (2,), its velocity (2,), sole centres (2, 3).")
       .def(
           "update",
-          [](PyGait& g, double t, const Vec2& com, const Vec2& dcom, const std::array<Vec3, 2>& soles) {
+          [](PyGait& g, double t, const Vec2& com, const Vec2& dcom, const std::array<Vec3, 2>& soles,
+             const Vec2& contact) {
             require_finite("t", t);
-            return g.gait.update(input(t, com, dcom, soles));
+            return g.gait.update(input(t, com, dcom, soles, contact));
           },
-          "t"_a, "com"_a, "dcom"_a, "soles"_a, "One cycle at time t [s].")
+          "t"_a, "com"_a, "dcom"_a, "soles"_a, py::arg_v("contact", Vec2(kNaN, kNaN), "(nan, nan)"),
+          "One cycle at time t [s]. `contact` (2,) of the left and the right foot with the ground: 1 touching, 0 not, "
+          "NaN "
+          "unknown; it ends a step where the setting touch_down is 'contact'.")
+      .def(
+          "retime", [](PyGait& g, double remaining) { g.gait.retime(remaining); }, "remaining"_a,
+          "The phase under way at the last cycle ends `remaining` [s] after that cycle, whatever it was to take.\n\n"
+          "Raises:\n    InputError: `remaining` is not finite and > 0.")
       .def(
           "command", [](PyGait& g, const Vec3& v) { g.gait.command(v); }, "velocity"_a,
           "From the next cycle on towards (v_x, v_y, w_z), whatever the profile says.")

@@ -289,13 +289,13 @@ BOOST_AUTO_TEST_CASE(last_step_goes_beside_the_stance_foot_where_the_com_comes_t
   const auto closes = [&](const Foothold& stance, double xi) {
     FootstepPlanner feet = planner(s, stand);
     feet.begin_step(3, kRight, stance, feet.stance_at(0.4, kPeriod));
-    const bool closed = feet.close(kRight, stance, xi);
-    if (closed) {
+    feet.close(kRight, stance, xi);
+    if (feet.closing()) {
       CHECK_NEAR(feet.target().p, stance.p - 0.22 * left_of(stance.yaw), 1e-12);
       BOOST_CHECK_EQUAL(feet.target().yaw, stance.yaw);
       CHECK_NEAR(follow(feet, kRight, 0.4, 1.0, 1.0, 0.1).p, feet.target().p, 0.0);
     }
-    return closed;
+    return feet.closing();
   };
   const double reach = s.gait.closing_distance, turn = s.gait.closing_turn;
   const auto aside = [](double y) { return Foothold{Vec2(0.3, 0.11 + y), 0.0}; };

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include "testing.hpp"
@@ -108,6 +109,49 @@ Jump jump(const WalkSettings& s, double v, double dv) {
   return out;
 }
 
+/// What happens to one step in mid-swing, or to one double support.
+struct Event {
+  const char* what;
+  std::function<void(TestWalk&)> happens;  ///< before each cycle of a walk
+};
+
+/// In step 7, single or double support takes `duration` of what was planned from half of that on.
+void retime(TestWalk& walk, Phase phase, const std::function<double(double)>& duration) {
+  const GaitOutput& out = walk.gait.output();
+  const StepTimes times = walk.gait.cadence().times(out.v_plan);
+  const double planned = phase == Phase::kSingleSupport ? times.T_ss : times.T_ds,
+               since = out.phase.time - 0.5 * planned;
+  if (out.phase.step == 7 && out.phase.phase == phase && since >= 0.0 && since < walk.dt - 1e-9)
+    walk.gait.retime(std::max(duration(planned) - out.phase.time, 1e-4));
+}
+
+/// Contact of a swing foot that lands `later` than planned in step 7, and off the ground as planned in all others.
+void feel(TestWalk& walk, double later) {
+  const GaitOutput& out = walk.gait.output();
+  walk.in.contact.setOnes();
+  if (out.phase.phase != Phase::kSingleSupport) return;
+  const double planned = walk.gait.cadence().times(out.v_plan).T_ss;  // of these slow steps
+  const double lands = planned + (out.phase.step == 7 ? later : 0.0);
+  if (out.phase.time > 0.02 && out.phase.time + walk.dt < lands - 1e-9) walk.in.contact[out.swing] = 0.0;
+}
+
+/// Acceleration of the swing foot from cycle to cycle, and whether velocity and position go along with it.
+struct Smoothness {
+  double a = 0.0, v = 0.0, p = 0.0;
+  void add(const GaitOutput& out, double dt) {
+    const SwingTarget& now = out.swing_target;
+    if (out.phase.phase == Phase::kSingleSupport && swinging) {
+      a = std::max({a, gap(now.a, before.a), gap(now.alpha, before.alpha)});
+      v = std::max(v, gap(now.v - before.v, 0.5 * dt * (now.a + before.a)));
+      p = std::max(p, gap(now.p - before.p, 0.5 * dt * (now.v + before.v)));
+    }
+    swinging = out.phase.phase == Phase::kSingleSupport;
+    before = now;
+  }
+  bool swinging = false;
+  SwingTarget before;
+};
+
 /// When support switched, in each double support [s since it began].
 std::vector<double> switch_times(TestWalk& walk, double duration) {
   std::vector<double> times;
@@ -121,137 +165,6 @@ std::vector<double> switch_times(TestWalk& walk, double duration) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_CASE(schedule_is_first_double_support_then_single_and_double_in_turn) {
-  Schedule schedule(0.18, 0.16, 0.64);
-  const auto is = [&](double t, Phase phase, int step, double time, double duration) {
-    while (schedule.landed(t)) schedule.next(schedule.times());
-    const GaitPhase at = schedule.at(t);
-    BOOST_CHECK(at.phase == phase);
-    BOOST_CHECK_EQUAL(at.step, step);
-    CHECK_NEAR(at.time, time, 3e-9);
-    CHECK_NEAR(at.duration, duration, 1e-15);
-  };
-  is(0.0, Phase::kDoubleSupport, 0, 0.0, 0.18);
-  is(0.18 - 2e-9, Phase::kDoubleSupport, 0, 0.18, 0.18);
-  is(0.18 - 0.5e-9, Phase::kSingleSupport, 0, 0.0, 0.64);  // a nanosecond early counts as reached
-  is(0.82 - 2e-9, Phase::kSingleSupport, 0, 0.64, 0.64);
-  is(0.82, Phase::kDoubleSupport, 1, 0.0, 0.16);
-  is(0.98, Phase::kSingleSupport, 1, 0.0, 0.64);
-  is(0.18 + 10 * 0.8 + 0.1, Phase::kSingleSupport, 10, 0.1, 0.64);
-  CHECK_NEAR(schedule.lift_off(), 8.18, 1e-14);
-  CHECK_NEAR(schedule.touch_down(), 8.82, 1e-14);
-}
-
-BOOST_AUTO_TEST_CASE(schedule_counts_down_to_the_middles_of_the_coming_phases) {
-  Schedule schedule(0.18, 0.16, 0.64);
-  CHECK_NEAR(schedule.at(0.0).to_mid_single, 0.18 + 0.32, 1e-12);
-  CHECK_NEAR(schedule.at(0.0).to_mid_double, 0.18 + 0.64 + 0.08, 1e-12);
-  CHECK_NEAR(schedule.at(0.6).to_mid_single, -0.1, 1e-12);
-  CHECK_NEAR(schedule.at(0.6).to_mid_double, 0.3, 1e-12);
-  schedule.next(schedule.times());
-  CHECK_NEAR(schedule.at(0.9).to_mid_double, 0.8, 1e-12);  // in double support: the one after this
-}
-
-BOOST_AUTO_TEST_CASE(a_step_ends_with_its_own_double_support_whatever_the_next_one_takes) {
-  Schedule schedule(0.18, 0.16, 0.64);
-  schedule.next({0.05, 0.45});
-  CHECK_NEAR(schedule.at(0.9).duration, 0.16, 1e-15);
-  CHECK_NEAR(schedule.lift_off(), 0.98, 1e-12);
-  CHECK_NEAR(schedule.touch_down(), 1.43, 1e-12);
-  schedule.next({0.1, 0.7});
-  CHECK_NEAR(schedule.lift_off(), 1.48, 1e-12);
-  CHECK_NEAR(schedule.at(1.5).to_mid_double, 1.48 + 0.7 + 0.05 - 1.5, 1e-12);
-  schedule.begin(3, 5.0, 0.2, {0.16, 0.64});  // again, from a stand
-  BOOST_CHECK_EQUAL(schedule.at(5.1).step, 3);
-  CHECK_NEAR(schedule.at(5.1).time, 0.1, 1e-12);
-  CHECK_NEAR(schedule.lift_off(), 5.2, 1e-12);
-}
-
-BOOST_AUTO_TEST_CASE(phases_last_the_same_number_of_cycles_however_times_are_summed) {
-  Schedule schedule(0.18, 0.16, 0.64);
-  double t = 0.0;
-  std::vector<int> cycles{0};
-  Phase phase = Phase::kDoubleSupport;
-  for (int k = 0; k < 60000; ++k, t += 0.001) {
-    if (schedule.landed(t)) schedule.next(schedule.times());
-    const GaitPhase now = schedule.at(t);
-    if (now.phase != phase) cycles.push_back(0);
-    phase = now.phase;
-    ++cycles.back();
-  }
-  BOOST_CHECK_EQUAL(cycles[0], 180);
-  for (std::size_t i = 1; i + 1 < cycles.size(); ++i) BOOST_CHECK_EQUAL(cycles[i], i % 2 ? 640 : 160);
-}
-
-BOOST_AUTO_TEST_CASE(faster_walks_take_longer_steps_then_faster_ones_with_shorter_double_supports_without_a_jump) {
-  const WalkSettings s = settings();
-  const Cadence cadence{{s.gait.T_ds, s.gait.T_ss},
-                        s.gait.cadence_speed,
-                        s.gait.cadence_exponent,
-                        s.gait.cadence_double,
-                        {1.0, 3.0, 0.4}};
-  const double eps = 1e-9;
-  for (const Vec3& along : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1.0 / 3, 0), Vec3(0, 0, -2.5)}) {
-    StepTimes before = cadence.times(Vec3::Zero());
-    BOOST_CHECK_EQUAL(before.period(), s.gait.T_ds + s.gait.T_ss);
-    for (double v = 0.01; v < 1.5; v += 0.01) {
-      const StepTimes now = cadence.times(v * along);
-      if (v <= s.gait.cadence_speed) {
-        BOOST_CHECK_EQUAL(now.T_ss, s.gait.T_ss);
-        BOOST_CHECK_EQUAL(now.T_ds, s.gait.T_ds);
-      } else {
-        BOOST_CHECK_LT(now.period(), before.period());
-        BOOST_CHECK_LT(now.T_ds / now.period(), before.T_ds / before.period());
-      }
-      BOOST_CHECK_GT(v * now.period(), (v - 0.01) * before.period());  // steps still grow longer
-      before = now;
-    }
-    CHECK_NEAR(cadence.times((1 + eps) * s.gait.cadence_speed * along).T_ds, s.gait.T_ds, eps);
-    CHECK_NEAR(cadence.times((1 + eps) * s.gait.cadence_speed * along).T_ss, s.gait.T_ss, eps);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(schedule_refuses_phases_without_length) {
-  CHECK_THROWS(Schedule(0.0, 0.16, 0.64), InputError, "T_ds_first = 0.000000");
-  CHECK_THROWS(Schedule(0.18, -1, 0.64), InputError, "T_ds = -1");
-  CHECK_THROWS(Schedule(0.18, 0.16, kNaN), InputError, "T_ss = nan");
-}
-
-BOOST_AUTO_TEST_CASE(swing_foot_arrives_at_rest_at_a_foothold_that_moves_until_late) {
-  SwingFoot foot;
-  foot.begin(Vec3(0, 0.11, 0.01), rotation_z(3.0), 0.64, 0.03, 0.04);
-  Foothold hold{Vec2(0.2, 0.11), -3.0};
-  double top = 0.0, speed = 0.0;
-  for (int k = 0; k <= 640; ++k) {
-    const double t = k * 1e-3;
-    if (t < 0.7 * 0.64) hold.p += Vec2(1e-4, -5e-5);
-    const SwingTarget& now = foot.update(t, 1e-3, hold);
-    top = std::max(top, now.p.z());
-    speed = std::max(speed, std::abs(now.omega.z()));
-    BOOST_CHECK(now.a.allFinite());
-  }
-  const SwingTarget& end = foot.target();
-  CHECK_NEAR(end.p, Vec3(hold.p.x(), hold.p.y(), 0.03), 1e-12);
-  CHECK_NEAR(end.v, Vec3::Zero(), 1e-9);
-  CHECK_NEAR(end.R, rotation_z(-3.0), 1e-9);
-  CHECK_NEAR(end.omega, Vec3::Zero(), 1e-9);
-  CHECK_NEAR(top, 0.03 + 0.04, 1e-9);                           // over the higher end
-  BOOST_CHECK_LT(speed, 1.5 * (2 * M_PI - 6.0) / 0.64 + 1e-3);  // the short way round
-}
-
-BOOST_AUTO_TEST_CASE(swing_foot_follows_one_cubic_while_the_foothold_stands) {
-  SwingFoot foot;
-  foot.begin(Vec3(0.1, 0.11, 0), Mat3::Identity(), 0.64, 0.0, 0.04);
-  const Cubic x(0.1, 0.0, 0.3, 0.0, 0.64), up(0, 0, 0.04, 0, 0.32);
-  for (int k = 0; k <= 320; ++k) {
-    const double t = k * 1e-3;
-    const SwingTarget& now = foot.update(t, 1e-3, {Vec2(0.3, 0.11), 0.0});
-    CHECK_NEAR(now.p, Vec3(x.at(t).p, 0.11, up.at(t).p), 1e-11);
-    CHECK_NEAR(now.v, Vec3(x.at(t).v, 0, up.at(t).v), 1e-9);
-    if (k < 320) CHECK_NEAR(now.a, Vec3(x.at(t).a, 0, up.at(t).a), 1e-6);
-  }
-}
 
 BOOST_AUTO_TEST_CASE(swing_foot_lands_at_the_height_of_the_ground_where_it_is_known_and_of_the_stance_sole_elsewhere) {
   for (const double ground : {0.0, 0.02, kNaN}) {
@@ -554,4 +467,126 @@ BOOST_AUTO_TEST_CASE(a_plan_is_the_walk_of_a_point_mass_that_does_as_it_is_told)
     }
     BOOST_CHECK_EQUAL(landed, plan.steps.size());
   }
+}
+
+BOOST_AUTO_TEST_CASE(
+    a_step_that_lands_early_or_late_or_takes_another_time_leaves_the_swing_foot_smooth_and_the_walk_going) {
+  const auto retimed = [](Phase phase, const std::function<double(double)>& duration) {
+    return [=](TestWalk& walk) { retime(walk, phase, duration); };
+  };
+  const auto times = [](double factor) { return [factor](double T) { return factor * T; }; };
+  const auto plus = [](double later) { return [later](double T) { return T + later; }; };
+  const Phase single = Phase::kSingleSupport, both = Phase::kDoubleSupport;
+  const std::vector<Event> events{
+      {"nothing", [](TestWalk&) {}},
+      {"nothing, by contact", [](TestWalk& walk) { feel(walk, 0.0); }},
+      {"single support - 30 %", retimed(single, times(0.7))},
+      {"single support + 30 %", retimed(single, times(1.3))},
+      {"single support - 60 ms", retimed(single, plus(-0.06))},
+      {"single support + 60 ms", retimed(single, plus(0.06))},
+      {"double support - 30 %", retimed(both, times(0.7))},
+      {"double support + 30 %", retimed(both, times(1.3))},
+      {"double support that ends at once", retimed(both, times(0.5))},
+      {"contact 60 ms early", [](TestWalk& walk) { feel(walk, -0.06); }},
+      {"contact 60 ms late", [](TestWalk& walk) { feel(walk, 0.06); }},
+  };
+  /// How smoothly the swing foot moves in cycles of `dt`, until 12 s.
+  const auto smoothness = [&](const Event& event, double v, double dt) {
+    WalkSettings s = settings();
+    s.gait.stand = false;
+    s.gait.touch_down = TouchDown::kContact;
+    s.control.dt = dt;
+    TestWalk walk(s, 0.4, steady(v));
+    Smoothness smooth;
+    int switches = 0, steps = 0;
+    Side support = walk.gait.output().support;
+    while (walk.in.t < 12.0) {
+      event.happens(walk);
+      const GaitOutput& out = walk.step();
+      smooth.add(out, dt);
+      switches += out.support != support;
+      support = out.support;
+      steps = out.phase.step;
+      BOOST_REQUIRE_LT((walk.in.com - walk.middle()).norm(), 0.3);
+      if (out.phase.phase == Phase::kDoubleSupport) continue;
+      BOOST_REQUIRE_EQUAL(switches, steps + 1);  // each double support has had its switch
+      BOOST_REQUIRE(out.support == other(out.swing));
+    }
+    BOOST_CHECK_GE(steps, 14);
+    return smooth;
+  };
+  for (const Event& event : events)
+    for (const double v : {0.2, 0.0}) BOOST_TEST_CONTEXT(event.what << " at " << v << " m/s") {
+        const Smoothness coarse = smoothness(event, v, 1e-3), fine = smoothness(event, v, 5e-4);
+        BOOST_CHECK_LE(fine.a, 0.6 * coarse.a + 1e-3);  // half as long a cycle, half the difference: no jump
+        BOOST_CHECK_LE(fine.v, 0.6 * coarse.v + 1e-6);
+        BOOST_CHECK_LE(fine.p, 0.6 * coarse.p + 1e-9);
+      }
+}
+
+BOOST_AUTO_TEST_CASE(a_contact_ends_a_step_only_after_the_foot_was_in_the_air_and_late_in_its_swing) {
+  WalkSettings s = settings();
+  s.touch_down = TouchDown::kContact;
+  /// Length of the first single support [s] of a foot that is off the ground where `flies` says so; NaN: not known.
+  const auto length = [&](const std::function<double(double)>& contact, bool felt_before = true) {
+    TestWalk walk(s);
+    Phase phase = Phase::kDoubleSupport;
+    for (double lifted = kNaN;;) {
+      const GaitOutput& before = walk.gait.output();
+      walk.in.contact.setConstant(felt_before ? 1.0 : 0.0);
+      if (phase == Phase::kSingleSupport) walk.in.contact[before.swing] = contact(before.phase.time + walk.dt);
+      const GaitOutput& now = walk.step();
+      if (now.phase.phase == Phase::kSingleSupport && phase == Phase::kDoubleSupport) lifted = walk.in.t;
+      if (now.phase.phase == Phase::kDoubleSupport && phase == Phase::kSingleSupport) return walk.in.t - lifted;
+      phase = now.phase.phase;
+    }
+  };
+  const auto from_to = [](double off, double on) { return [=](double t) { return t >= off && t < on ? 0.0 : 1.0; }; };
+  const double T = s.T_ss, cycle = 1.001e-3;
+  CHECK_NEAR(length([](double) { return kNaN; }), T, cycle);             // not known: by time
+  CHECK_NEAR(length(from_to(0.03, 0.5)), 0.5, cycle);                    // early
+  CHECK_NEAR(length(from_to(0.03, T + 0.06)), T + 0.06, cycle);          // late
+  CHECK_NEAR(length(from_to(0.03, 9.0)), T + s.touch_down_time, cycle);  // nowhere: by time at last
+  CHECK_NEAR(length(from_to(9.0, 9.0)), T, cycle);                       // never off the ground
+  CHECK_NEAR(length([&](double t) { return t < 0.03 || (t > 0.2 && t < 0.21) || t > T ? 1.0 : 0.0; }), T,
+             cycle);                                       // scuffs
+  CHECK_NEAR(length(from_to(0.0, 9.0), false), T, cycle);  // a foot that was never felt ends its step by time
+  s.touch_down_share = 0.8;
+  CHECK_NEAR(length(from_to(0.03, 0.3)), 0.8 * T, cycle);
+  s.touch_down = TouchDown::kTime;
+  CHECK_NEAR(length(from_to(0.03, 0.3)), T, cycle);
+}
+
+BOOST_AUTO_TEST_CASE(
+    a_landing_before_its_time_leaves_the_next_lift_off_at_its_time_and_one_after_it_the_double_support_at_its_length) {
+  for (const double later : {-0.06, 0.06}) {
+    WalkSettings s = settings();
+    s.touch_down = TouchDown::kContact;
+    TestWalk as_planned(s), disturbed(s);
+    const auto until_step_8_lifts = [&](TestWalk& walk, double of_step_7) {
+      double landed = kNaN;
+      while (walk.gait.output().phase.step < 8 || walk.gait.output().phase.phase == Phase::kDoubleSupport) {
+        feel(walk, of_step_7);
+        const Phase before = walk.gait.output().phase.phase;
+        if (walk.step().phase.phase == Phase::kDoubleSupport && before == Phase::kSingleSupport) landed = walk.in.t;
+      }
+      return std::pair(landed, walk.in.t);
+    };
+    const auto [landed, lifts] = until_step_8_lifts(as_planned, 0.0);
+    const auto [landed_2, lifts_2] = until_step_8_lifts(disturbed, later);
+    CHECK_NEAR(landed_2 - landed, later, 1.001e-3);
+    CHECK_NEAR(lifts_2 - lifts, later < 0.0 ? 0.0 : later, 1.001e-3);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_time_for_the_phase_under_way_is_positive_and_a_stand_takes_none) {
+  TestWalk walk(settings(), 0.0, VelocityProfile({0.0, 1.0}, {Vec3::Zero(), Vec3(0.2, 0, 0)}));
+  for (const double wrong : {0.0, -0.1, kNaN}) CHECK_THROWS(walk.gait.retime(wrong), InputError, "remaining = ");
+  while (walk.in.t < 0.5) BOOST_REQUIRE(walk.step().at_rest);
+  walk.gait.retime(0.01);
+  while (walk.in.t < 0.8) BOOST_CHECK(walk.step().at_rest);
+  while (walk.step().phase.phase == Phase::kDoubleSupport) continue;
+  walk.gait.retime(0.2);
+  const double since = walk.gait.output().phase.time;
+  CHECK_NEAR(walk.step().phase.duration, since + 0.2, 1e-9);
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,55 @@ const Walk& default_walk() {
 const Walk& paper_walk() {
   static const Walk walk(10.0, WalkSettings("paper"));
   return walk;
+}
+
+/// What a walk shows in which one phase of step 5 takes `duration` of what it was to take, from its middle on.
+struct Retimed {
+  Fall fell = Fall::kNone;
+  int steps = 0, switches = 0;
+  double took = kNaN;  ///< the phase [s]
+  // Largest, from cycle to cycle: what the swing target's velocity and position gain beside what acceleration and velocity have them gain;
+  // and how far the sole is from its target.
+  double v = 0.0, p = 0.0, off = 0.0;
+};
+
+Retimed retimed(Phase phase, const std::function<double(double)>& duration) {
+  WalkingController controller(mahru(), describe(mahru()), WalkSettings(), VelocityProfile({0.0}, {Vec3(0.25, 0, 0)}));
+  const MjDataPtr d = make_data(mahru());
+  controller.robot().description().place(mahru(), d.get());
+  controller.reset(d.get());
+  Retimed out;
+  bool done = false, swinging = false;
+  Side support = kRight;
+  SwingTarget before;
+  const double dt = controller.settings().control_dt;
+  while (d->time < 8.0 && out.fell == Fall::kNone) {
+    out.fell = controller.update(d.get()).fell;
+    mj_step(mahru(), d.get());
+    const GaitOutput& gait = controller.gait();
+    const GaitPhase& now = gait.phase;
+    if (now.step == 5 && now.phase == phase) {
+      if (!done && now.time >= 0.5 * now.duration) {
+        controller.retime(duration(now.duration) - now.time);
+        done = true;
+      }
+      out.took = now.time + dt;
+    }
+    out.switches += gait.support != support;
+    support = gait.support;
+    out.steps = now.step;
+    const SwingTarget& target = gait.swing_target;
+    if (now.phase == Phase::kSingleSupport) {
+      out.off = std::max(out.off, gap(controller.robot().dynamics().sole[gait.swing].p_WF, target.p));
+      if (swinging) {
+        out.v = std::max(out.v, gap(target.v - before.v, 0.5 * dt * (target.a + before.a)));
+        out.p = std::max(out.p, gap(target.p - before.p, 0.5 * dt * (target.v + before.v)));
+      }
+    }
+    swinging = now.phase == Phase::kSingleSupport;
+    before = target;
+  }
+  return out;
 }
 
 }  // namespace
@@ -126,4 +176,30 @@ BOOST_AUTO_TEST_CASE(textbook_equations_walk_the_same_walk) {
   const Walk direct(1.2), textbook(1.2, with([](WalkSettings& s) { s.control.textbook = true; }));
   CHECK_NEAR(direct.column("com"), textbook.column("com"), 1e-6);
   CHECK_NEAR(direct.column("zmp_est"), textbook.column("zmp_est"), 1e-4);
+}
+
+BOOST_AUTO_TEST_CASE(a_phase_that_takes_another_time_leaves_the_swing_foot_smooth_and_the_robot_walking) {
+  const auto times = [](double factor) { return [factor](double T) { return factor * T; }; };
+  const auto plus = [](double later) { return [later](double T) { return T + later; }; };
+  struct Event {
+    const char* what;
+    Phase phase;
+    std::function<double(double)> duration;
+  };
+  for (const Event& event : {Event{"single support - 30 %", Phase::kSingleSupport, times(0.7)},
+                             Event{"single support + 30 %", Phase::kSingleSupport, times(1.3)},
+                             Event{"landing 60 ms early", Phase::kSingleSupport, plus(-0.06)},
+                             Event{"landing 60 ms late", Phase::kSingleSupport, plus(0.06)},
+                             Event{"double support - 30 %", Phase::kDoubleSupport, times(0.7)},
+                             Event{"double support + 30 %", Phase::kDoubleSupport, times(1.3)}})
+    BOOST_TEST_CONTEXT(event.what) {
+      const Retimed walk = retimed(event.phase, event.duration);
+      BOOST_CHECK(walk.fell == Fall::kNone);
+      BOOST_CHECK_GE(walk.steps, 9);
+      BOOST_CHECK_LE(std::abs(walk.switches - walk.steps), 1);
+      CHECK_NEAR(walk.took, event.duration(event.phase == Phase::kSingleSupport ? 0.64 : 0.16), 2e-3);
+      BOOST_CHECK_LE(walk.v, 5e-5);  // an acceleration that jumps by 0.1 m/s^2 shows here
+      BOOST_CHECK_LE(walk.p, 5e-7);
+      BOOST_CHECK_LE(walk.off, 0.01);
+    }
 }

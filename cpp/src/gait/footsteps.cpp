@@ -89,14 +89,13 @@ double FootstepPlanner::stretch(const Vec2& landed, Side side, const Vec2& lifti
   return std::max(from_hip(landed, side, -moves), from_hip(lifting, other(side), moves));
 }
 
-bool FootstepPlanner::close(Side swing, const Foothold& stance, double xi) {
+void FootstepPlanner::close(Side swing, const Foothold& stance, double xi) {
   const PathPoint beside = PathPoint(stance).beside(side_sign(swing) * settings_.steps.width);
   const double aside = (planned(swing, stance_at(now_.t, 0.0)).p - beside.p).dot(path_.left());
   const double missed = std::hypot(xi, aside);
   closing_ = missed <= settings_.gait.closing_distance &&
              std::abs(wrap_angle(path_.yaw - stance.yaw)) <= settings_.gait.closing_turn;
   if (closing_) nominal_ = target_ = beside;
-  return closing_;
 }
 
 const Foothold& FootstepPlanner::follow(double ahead_of_plan, double aside, const PathPoint& planned) {

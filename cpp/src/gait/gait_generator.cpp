@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "zmpwalk/gait/point_walk.hpp"
+#include "zmpwalk/math/error.hpp"
 #include "zmpwalk/math/rotation.hpp"
 
 namespace zmpwalk {
@@ -63,7 +64,8 @@ void GaitGenerator::reset(const GaitInput& start, const LinearInvertedPendulum& 
   allowance_ = limits_.jump;
   commanded_ = false;
   t_command_ = 0.0;
-  closing_ = false;
+  felt_ = {false, false};
+  footsteps_.end_step();
   out_ = GaitOutput{};
   const std::array<Foothold, 2> feet = feet_of(start);
   out_.heading = feet[kLeft].yaw + 0.5 * wrap_angle(feet[kRight].yaw - feet[kLeft].yaw);
@@ -83,6 +85,11 @@ void GaitGenerator::reset(const GaitInput& start, const LinearInvertedPendulum& 
 void GaitGenerator::command(const Vec3& velocity) {
   command_ = velocity;
   commanded_ = true;
+}
+
+void GaitGenerator::retime(double remaining) {
+  require_positive("remaining", remaining);
+  if (!out_.at_rest) schedule_.retime(footsteps_.now().t, remaining);
 }
 
 void GaitGenerator::take_command(double t) {
@@ -122,47 +129,70 @@ bool GaitGenerator::can_stand(const GaitInput& in) const {
   return out_.room.lower.x() <= xi && xi <= out_.room.upper.x();
 }
 
-bool GaitGenerator::begin_phase(const GaitInput& in) {
-  bool began = false;
+bool GaitGenerator::has_landed(const GaitInput& in) {
+  const bool due = schedule_.landed(in.t);
+  if (settings_.gait.touch_down == TouchDown::kTime || out_.phase.phase == Phase::kDoubleSupport) return due;
+  const double contact = in.contact[out_.swing], since = in.t - schedule_.lift_off(), dt = settings_.control.dt;
+  const bool touches = contact > 0.5, flies = contact < 0.5;  // neither, where it is not known
+  if (flies && swing_ == Swing::kLifting) swing_ = Swing::kAirborne;
+  if (!due) {
+    const bool early =
+        touches && swing_ == Swing::kAirborne && since >= settings_.gait.touch_down_share * out_.phase.duration;
+    if (early) schedule_.land(in.t);
+    return early;
+  }
+  if (!flies || !felt_[out_.swing] || schedule_.waited() + dt > settings_.gait.touch_down_time) return true;
+  schedule_.wait(in.t + dt);
+  if (swing_ != Swing::kOverdue)
+    swing_foot_.replan(since, settings_.gait.touch_down_time, swing_foot_.z_land() - settings_.gait.touch_down_depth);
+  swing_ = Swing::kOverdue;
+  return false;
+}
+
+GaitGenerator::Began GaitGenerator::begin_phase(const GaitInput& in) {
+  for (const Side side : kSides) felt_[side] |= in.contact[side] > 0.5;
   if (out_.at_rest) {
     // The first step lifts when the plan moves, and half of its double support has gone by.
     if (settings_.gait.stand && plan_.at_rest(in.t, in.t + 0.5 * settings_.gait.T_ds_first) && can_stand(in))
-      return false;
+      return Began::kNothing;
     begin_walk(in);
-    began = true;
-  } else if (schedule_.landed(in.t)) {
+    lateral_.begin_cycle(false);
+    return Began::kDoubleSupport;
+  }
+  if (has_landed(in)) {
     out_.swing = other(out_.swing);  // the foot that stood swings next
-    began = true;
-    if (closing_) {
-      out_.at_rest = true;
-      ++out_.phase.step;
-      closing_ = false;
-      return true;
-    }
+    const bool stands = footsteps_.closing();
+    footsteps_.end_step();
+    if (stands) return Began::kStand;
     schedule_.next(times_at(in.t));
     lateral_.begin_cycle(true);
-    return true;
+    return Began::kDoubleSupport;
   }
   lateral_.begin_cycle(false);
-  return began;
+  return Began::kNothing;
 }
 
 const GaitOutput& GaitGenerator::update(const GaitInput& in) {
   update_steps(in);
-  if (out_.phase.phase == Phase::kDoubleSupport) return out_;
-  if (lifted_) {
-    const double z_land = std::isnan(in.ground) ? in.p_sole[other(out_.swing)].z() : in.ground;
-    swing_foot_.begin(in.p_sole[out_.swing], in.R_sole[out_.swing], out_.phase.duration, z_land,
-                      settings_.swing.height);
-  }
-  out_.swing_target = swing_foot_.update(out_.phase.time, settings_.control.dt, out_.foothold);
+  if (out_.phase.phase == Phase::kSingleSupport) move_swing_foot(in);
   return out_;
+}
+
+void GaitGenerator::move_swing_foot(const GaitInput& in) {
+  const double t = out_.phase.time, duration = out_.phase.duration;
+  if (began_ == Began::kSingleSupport) {
+    const double z_land = std::isnan(in.ground) ? in.p_sole[other(out_.swing)].z() : in.ground;
+    swing_foot_.begin(in.p_sole[out_.swing], in.R_sole[out_.swing], duration, z_land, settings_.swing.height);
+  } else if (swing_ != Swing::kOverdue && duration != swing_foot_.duration()) {
+    swing_foot_.replan(t, duration - t, swing_foot_.z_land());
+  }
+  out_.swing_target = swing_foot_.update(t, settings_.control.dt, out_.foothold);
 }
 
 const GaitOutput& GaitGenerator::update_steps(const GaitInput& in) {
   footsteps_.advance(in.t, in.com);
   take_command(in.t);
-  const bool began = begin_phase(in);
+  began_ = begin_phase(in);
   out_.heading = footsteps_.heading();
   out_.ahead = footsteps_.path().ahead;
   out_.v_plan = footsteps_.now().v;
@@ -170,20 +200,24 @@ const GaitOutput& GaitGenerator::update_steps(const GaitInput& in) {
   out_.foothold = {Vec2::Constant(kNaN), kNaN};
   out_.w_T = kNaN;
   out_.zmp_lateral = 0.0;
-  lifted_ = false;
   out_.stretch = 0.0;
+  if (began_ == Began::kStand) {
+    out_.at_rest = true;
+    ++out_.phase.step;
+  }
   if (out_.at_rest) {
-    const double since = began ? 0.0 : out_.phase.time + settings_.control.dt;
+    const double since = began_ == Began::kStand ? 0.0 : out_.phase.time + settings_.control.dt;
     out_.phase = {Phase::kDoubleSupport, out_.phase.step, since, since, kNaN, kNaN};
   } else {
-    const bool was_single = out_.phase.phase == Phase::kSingleSupport && !began;
+    const bool was_single = out_.phase.phase == Phase::kSingleSupport && began_ == Began::kNothing;
     out_.phase = schedule_.at(in.t);
     const bool single = out_.phase.phase == Phase::kSingleSupport;
-    lifted_ = single && !was_single;
-    if (began || lifted_) {
-      const double t_mid = in.t + out_.phase.to_mid_double;
-      period_ = times_at(t_mid).period();
+    if (single && !was_single) {
+      began_ = Began::kSingleSupport;
+      swing_ = Swing::kLifting;
+      lateral_.end_double_support();
     }
+    if (began_ != Began::kNothing) period_ = times_at(in.t + out_.phase.to_mid_double).period();
     out_.support = lateral_.support();
     out_.standing[out_.swing] = !single;
   }
@@ -255,7 +289,7 @@ void GaitGenerator::capture(const GaitInput& in, double time) {
   if (settings_.steps.mode != Footsteps::kTied) return;
   // One step of Newton's a cycle: a COM faster by dv is dv time further then, and its DCM dv (time + T_c).
   const bool decided = out_.phase.phase == Phase::kSingleSupport &&
-                       (closing_ || out_.phase.time > settings_.steps.freeze * out_.phase.duration);
+                       (footsteps_.closing() || out_.phase.time > settings_.steps.freeze * out_.phase.duration);
   const double foot = before_switch() ? (in.p_sole[other(out_.support)].head<2>() - out_.origin).dot(out_.ahead)
                       : decided       ? (footsteps_.target().p - out_.origin).dot(out_.ahead)
                                       : footsteps_.lead(out_.phase.step, next_);
@@ -313,17 +347,17 @@ void GaitGenerator::move_sideways(const GaitInput& in) {
   // The orbit's DCM in the middle of the next double support, for a foot that lands at `there`; before a stand, half way to it.
   const auto xi_end = [&](const Vec2& there) {
     const double y_there = (there - out_.origin).dot(left_of(out_.ahead));
-    if (closing_) return 0.5 * y_there;
+    if (footsteps_.closing()) return 0.5 * y_there;
     return y_there + side_sign(out_.support) * pendulum_.orbit_inset(footsteps_.width(drift), orbit_growth_) +
            pendulum_.orbit_offset(drift, orbit_growth_);
   };
   if (single) {
-    if (lifted_) {
+    if (began_ == Began::kSingleSupport) {
       const Side stance = other(out_.swing);
       const Foothold foot = foothold_of(in.p_sole[stance], in.R_sole[stance]);
       footsteps_.begin_step(out_.phase.step, out_.swing, foot, next_);
-      closing_ = settings_.gait.stand && plan_.at_rest(in.t, schedule_.touch_down() + schedule_.times().T_ds) &&
-                 footsteps_.close(out_.swing, foot, xi_next_);
+      if (settings_.gait.stand && plan_.at_rest(in.t, schedule_.touch_down() + schedule_.times().T_ds))
+        footsteps_.close(out_.swing, foot, xi_next_);
     }
     if (footsteps_.follows(out_.phase.time / out_.phase.duration)) {
       const PathPoint planned = footsteps_.planned(out_.swing, next_);

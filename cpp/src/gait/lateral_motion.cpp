@@ -8,15 +8,21 @@ LateralMotion::LateralMotion(bool feedback, double most) : feedback_(feedback), 
 
 void LateralMotion::reset(Side support) {
   support_ = support;
-  awaits_ = true;
-  decided_ = false;
+  switch_ = Switch::kDue;
 }
 
 void LateralMotion::begin_cycle(bool double_support_began) {
-  if (double_support_began) awaits_ = true;
-  if (!decided_) return;
+  if (switch_ == Switch::kDecided) take_switch();
+  if (double_support_began) switch_ = Switch::kDue;
+}
+
+void LateralMotion::end_double_support() {
+  if (awaits_switch()) take_switch();
+}
+
+void LateralMotion::take_switch() {
   support_ = other(support_);
-  awaits_ = decided_ = false;
+  switch_ = Switch::kTaken;
 }
 
 double LateralMotion::check_switch(const LinearInvertedPendulum& pendulum, const PendulumState& now, double r,
@@ -29,19 +35,20 @@ double LateralMotion::check_switch(const LinearInvertedPendulum& pendulum, const
   // Too early, the COM would turn back before the middle of the step: w(T) then points away from the foot to come. Of the two
   // cycles on either side of w(T) = 0 the nearer one is taken: always the later one would be half a cycle late on average.
   const double next = off_orbit_after(1);
-  decided_ = last || side_sign(other(support_)) * (next + off_orbit_after(2)) >= 0.0;
+  const bool decided = last || side_sign(other(support_)) * (next + off_orbit_after(2)) >= 0.0;
+  switch_ = decided ? Switch::kDecided : Switch::kDue;
   return next + w_orbit;
 }
 
 double LateralMotion::reference(const LinearInvertedPendulum& pendulum, double xi, double xi_end,
                                 const LinearInvertedPendulum::Growth& time) const {
-  if (!feedback_ || awaits_ || !(time.excess > 0.0)) return 0.0;
+  if (!feedback_ || awaits_switch() || !(time.excess > 0.0)) return 0.0;
   return std::clamp(pendulum.reference_to_reach(xi, xi_end, time), -most_, most_);
 }
 
 double LateralMotion::miss(const LinearInvertedPendulum& pendulum, double xi, double xi_end,
                            const LinearInvertedPendulum::Growth& time) const {
-  if (!feedback_ || awaits_ || !(time.excess > 0.0)) return 0.0;
+  if (!feedback_ || awaits_switch() || !(time.excess > 0.0)) return 0.0;
   const double r = pendulum.reference_to_reach(xi, xi_end, time);
   return (std::clamp(r, -most_, most_) - r) * -time.excess;
 }

@@ -1,5 +1,6 @@
 #include "zmpwalk/gait/schedule.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "zmpwalk/math/error.hpp"
@@ -35,6 +36,7 @@ void Schedule::begin(int n, double t, double T_ds_first, const StepTimes& times)
   step_ = n;
   lift_off_ = t + T_ds_first;
   T_ds_before_ = T_ds_first;
+  waited_ = 0.0;
   times_ = times;
 }
 
@@ -44,7 +46,35 @@ void Schedule::next(const StepTimes& times) {
   ++step_;
   T_ds_before_ = times_.T_ds;
   lift_off_ += times_.T_ss + times_.T_ds;
+  waited_ = 0.0;
   times_ = times;
+}
+
+void Schedule::land(double t) {
+  const double single = t - lift_off_;
+  if (!(single > 0.0)) return;
+  times_.T_ds += std::max(times_.T_ss - single, 0.0);
+  times_.T_ss = single;
+}
+
+void Schedule::wait(double t) {
+  const double later = t - touch_down();
+  if (!(later > 0.0)) return;
+  times_.T_ss = t - lift_off_;
+  waited_ += later;
+}
+
+void Schedule::retime(double t, double remaining) {
+  require_positive("remaining", remaining);
+  const bool single = t + kTick >= lift_off_;
+  const double later = t + remaining - (single ? touch_down() : lift_off_);
+  if (std::abs(later) <= kTick) return;
+  if (single) {
+    times_.T_ss += later;
+  } else {
+    lift_off_ += later;
+    T_ds_before_ += later;
+  }
 }
 
 GaitPhase Schedule::at(double t) const {

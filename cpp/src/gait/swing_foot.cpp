@@ -1,44 +1,97 @@
 #include "zmpwalk/gait/swing_foot.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "zmpwalk/math/rotation.hpp"
 
 namespace zmpwalk {
+namespace {
+
+constexpr double kLevel =
+    1e-3;  // lift-off and landing that differ by less in height are level: a sole sinks into the ground under load [m]
+constexpr double kAtTop = 1e-6;  // a foot nearer to its top than this counts as there [s]
+
+Motion1 sum(const Motion1& a, const Motion1& b) { return {a.p + b.p, a.v + b.v, a.a + b.a}; }
+
+/// Velocity at a knot `h_0` after (p_0, v_0) and `h_1` before (p_1, 0), such that the cubics on both sides have one acceleration there.
+double knot_velocity(double p_0, double v_0, double h_0, double p, double h_1, double p_1) {
+  return (3.0 * ((p - p_0) / (h_0 * h_0) + (p_1 - p) / (h_1 * h_1)) - v_0 / h_0) / (2.0 / h_0 + 2.0 / h_1);
+}
+
+}  // namespace
 
 void SwingFoot::begin(const Vec3& p, const Mat3& R, double duration, double z_land, double height) {
   duration_ = duration;
-  const double top = std::max(p.z(), z_land) + height;
-  up_ = Cubic(p.z(), 0.0, top, 0.0, 0.5 * duration);
-  down_ = Cubic(top, 0.0, z_land, 0.0, 0.5 * duration);
-  from_ << p.head<2>(), yaw_of(R);
-  velocity_.setZero();
+  z_land_ = z_land;
+  top_ = std::max(p.z(), z_land) + height;
+  start_ = fade_ = 0.0;
+  // Between ends at different heights, the longer way takes more time: at the top both cubics have one acceleration.
+  const double up = std::sqrt(top_ - p.z()), down = std::sqrt(top_ - z_land);
+  rise_ = duration * (std::abs(p.z() - z_land) < kLevel ? 0.5 : up / (up + down));
+  up_ = Cubic(p.z(), 0.0, top_, 0.0, rise_);
+  down_ = Cubic(top_, 0.0, z_land, 0.0, duration - rise_);
+  to_ << p.head<2>(), yaw_of(R);
+  for (int i = 0; i < 3; ++i) next_[i] = {to_[i], 0.0, 0.0};
   target_ = SwingTarget{};
   target_.p = p;
-  target_.R = rotation_z(yaw_ = from_.z());
+  target_.R = rotation_z(yaw_ = to_.z());
+}
+
+Motion1 SwingFoot::height(double t) const {
+  const double since = std::max(t - start_, 0.0);  // a phase begins up to a nanosecond before its time
+  return since < rise_ ? up_.at(since) : down_.at(since - rise_);
+}
+
+void SwingFoot::replan(double t, double left, double z_land) {
+  // A foot that is late goes on from the end of its splines as it ended.
+  const double late = std::max(t - duration_, 0.0);
+  const auto now = [&](int i, const Motion1& spline) {
+    const Motion1 gone{spline.p + late * (spline.v + 0.5 * late * spline.a), spline.v + late * spline.a, spline.a};
+    return fade_ > 0.0 ? sum(gone, fade_out({0.0, 0.0, beside_[i]}, fade_, t - start_)) : gone;
+  };
+  for (int i = 0; i < 3; ++i) {
+    const Motion1 from = next_[i] = now(i, next_[i]);
+    beside_[i] = from.a - Cubic(from.p, from.v, to_[i], 0.0, left).at(0.0).a;
+  }
+  const Motion1 z = now(3, height(std::min(t, duration_)));
+  const double to_top = start_ + rise_ - t;
+  if (to_top > kAtTop) {
+    rise_ = to_top * left / (duration_ - t);
+    const double fall = left - rise_, v_top = knot_velocity(z.p, z.v, rise_, top_, fall, z_land);
+    up_ = Cubic(z.p, z.v, top_, v_top, rise_);
+    down_ = Cubic(top_, v_top, z_land, 0.0, fall);
+    beside_[3] = z.a - up_.at(0.0).a;
+  } else {
+    rise_ = 0.0;
+    down_ = Cubic(z.p, z.v, z_land, 0.0, left);
+    beside_[3] = z.a - down_.at(0.0).a;
+  }
+  duration_ = t + left;
+  z_land_ = z_land;
+  start_ = t;
+  fade_ = left;
 }
 
 const SwingTarget& SwingFoot::update(double t, double dt, const Foothold& foothold) {
   const double left = duration_ - t;
-  const Vec3 to(foothold.p.x(), foothold.p.y(), from_.z() + wrap_angle(foothold.yaw - from_.z()));
-  Vec3 p, v, a;  // x, y, yaw
+  to_ << foothold.p, next_[2].p + wrap_angle(foothold.yaw - next_[2].p);
+  std::array<Motion1, 4> now;  // x, y, yaw, z
   for (int i = 0; i < 3; ++i) {
-    const Cubic spline(from_[i], velocity_[i], to[i], 0.0, left);
-    const Motion1 next = spline.at(dt);
-    p[i] = from_[i];
-    v[i] = velocity_[i];
-    a[i] = spline.at(0.0).a;
-    from_[i] = next.p;
-    velocity_[i] = next.v;
+    const Cubic spline(next_[i].p, next_[i].v, to_[i], 0.0, left);
+    now[i] = {next_[i].p, next_[i].v, spline.at(0.0).a};
+    next_[i] = spline.at(std::min(dt, left));
   }
-  const double half = 0.5 * duration_;
-  const Motion1 z = t < half ? up_.at(t) : down_.at(t - half);
-  target_.p << p.head<2>(), z.p;
-  target_.v << v.head<2>(), z.v;
-  target_.a << a.head<2>(), z.a;
-  if (p.z() != yaw_) target_.R = rotation_z(yaw_ = p.z());
-  target_.omega.z() = v.z();
-  target_.alpha.z() = a.z();
+  now[3] = height(t);
+  if (fade_ > 0.0)
+    for (int i = 0; i < 4; ++i) now[i] = sum(now[i], fade_out({0.0, 0.0, beside_[i]}, fade_, t - start_));
+  const auto& [x, y, yaw, z] = now;
+  target_.p << x.p, y.p, z.p;
+  target_.v << x.v, y.v, z.v;
+  target_.a << x.a, y.a, z.a;
+  if (yaw.p != yaw_) target_.R = rotation_z(yaw_ = yaw.p);
+  target_.omega.z() = yaw.v;
+  target_.alpha.z() = yaw.a;
   return target_;
 }
 

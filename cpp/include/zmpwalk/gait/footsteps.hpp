@@ -103,8 +103,11 @@ class FootstepPlanner {
   /// Nominal foothold of step n, taken when the foot lifts. @param stance measured stance foot
   Foothold begin_step(int n, Side swing, const Foothold& stance, const PlannedStance& next);
   /// The last step before a stand: beside the stance foot, where that is near enough to the path and to where the DCM will be, `xi`
-  /// ahead of the stance foot [m]. Returns whether it is.
-  bool close(Side swing, const Foothold& stance, double xi);
+  /// ahead of the stance foot [m].
+  void close(Side swing, const Foothold& stance, double xi);
+  bool closing() const { return closing_; }  ///< this step is the last before a stand
+  /// The foot has landed.
+  void end_step() { closing_ = false; }
 
   /// Whether the foothold still follows the COM: tied to it, after this share of the single support.
   bool follows(double share) const {

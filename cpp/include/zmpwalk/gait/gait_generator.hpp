@@ -22,6 +22,7 @@ struct GaitInput {
   double catch_up = 0.0;  ///< speed beside the planned one that the tracker asks for [m/s]
   /// Height at which the swing sole meets the ground [m]; NaN: the stance sole's, which the load has sunk into a soft contact.
   double ground = kNaN;
+  Vec2 contact = Vec2::Constant(kNaN);  ///< of each foot with the ground: 1 touching, 0 not, NaN unknown
 };
 
 /// What the gait asks for in one cycle.
@@ -73,6 +74,9 @@ class GaitGenerator {
   void set_pendulum(const LinearInvertedPendulum& pendulum) { pendulum_ = pendulum; }
   /// From the next cycle on towards `velocity` (v_x, v_y, w_z), whatever the profile says. Allocates nothing.
   void command(const Vec3& velocity);
+  /// The phase under way at the last cycle ends `remaining` [s] after that cycle, whatever it was to take; a stand is no phase. The swing
+  /// foot goes on without a jump. Allocates nothing. @throws InputError  `remaining` is not finite and > 0
+  void retime(double remaining);
   /// One cycle. Allocates nothing.
   const GaitOutput& update(const GaitInput& in);
   /// The same without the swing foot's path, for a plan: `swing_target` keeps what it was. Allocates nothing.
@@ -87,8 +91,11 @@ class GaitGenerator {
  private:
   StepTimes times_at(double t) const;  // of a step that begins at t
   void take_command(double t);
-  bool begin_phase(const GaitInput& in);  // whether a double support began
+  enum class Began { kNothing, kStand, kDoubleSupport, kSingleSupport };
+  Began begin_phase(const GaitInput& in);  // what begins with this cycle
   void begin_walk(const GaitInput& in);
+  bool has_landed(const GaitInput& in);
+  void move_swing_foot(const GaitInput& in);
   void move_ahead(const GaitInput& in);
   void move_sideways(const GaitInput& in);
   ZmpBounds room(const GaitInput& in) const;
@@ -124,9 +131,15 @@ class GaitGenerator {
   // Speed and DCM in the middle of the next double support, from the support foot along the heading [m/s, m]; and as the steady walk over
   // the next foot has them then, from that foot.
   double v_next_ = 0.0, xi_next_ = 0.0, v_start_ = 0.0, xi_start_ = 0.0;
-  bool lifted_ = false;   // a single support began with this cycle
-  bool closing_ = false;  // this step ends beside the stance foot
-  double period_ = 0.0;   // of the step after this [s]
+  Began began_ = Began::kNothing;  // with this cycle
+  enum class Swing {
+    kLifting,   // it has not been felt off the ground
+    kAirborne,  // it has
+    kOverdue    // it met no ground where it should have, and goes on down
+  };
+  Swing swing_ = Swing::kLifting;
+  std::array<bool, 2> felt_{false, false};  // the foot's contact has been measured in this walk
+  double period_ = 0.0;                     // of the step after this [s]
   Vec3 command_, allowance_;
   bool commanded_ = false;
   double t_command_ = 0.0;

@@ -32,6 +32,8 @@ class LateralMotion {
 
   /// Takes a switch that was decided in the previous cycle; call first in each cycle.
   void begin_cycle(bool double_support_began);
+  /// The double support is over: a switch that is still due is taken at once.
+  void end_double_support();
 
   /// Reference ZMP about the support's sole centre [m].
   ///
@@ -46,15 +48,21 @@ class LateralMotion {
 
   Side support() const { return support_; }
   /// True in double support until the switch.
-  bool awaits_switch() const { return awaits_; }
+  bool awaits_switch() const { return switch_ != Switch::kTaken; }
 
  private:
+  enum class Switch {
+    kDue,      // the foot that will swing still carries the ZMP
+    kDecided,  // it does so for the last cycle
+    kTaken     // the foot that stands carries it
+  };
+  void take_switch();
+
   bool feedback_;
   double most_;
   std::array<LastOver, 2> over_;  // one and two cycles
   Side support_ = kLeft;
-  bool awaits_ = true;
-  bool decided_ = false;
+  Switch switch_ = Switch::kDue;
 };
 
 }  // namespace zmpwalk

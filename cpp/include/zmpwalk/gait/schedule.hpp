@@ -37,6 +37,9 @@ struct Cadence {
 };
 
 /// Times of a walk, step by step: a double support, a single support and the double support after it.
+///
+/// A step ends by time, unless an event says otherwise: the foot has landed, or has not yet, or a phase is to end at another time. An event
+/// changes the times of this step alone, and everything that `at`, `times`, `lift_off` and `touch_down` say follows from them.
 class Schedule {
  public:
   /// @throws InputError a duration that is not finite and > 0
@@ -49,14 +52,24 @@ class Schedule {
   /// The step after this, whose double support has begun.
   void next(const StepTimes& times);
 
+  /// The swing foot lands at `t` [s]. Before its time, the rest of the single support becomes double support, so that the next foot
+  /// lifts when it would have; after its time, the double support keeps its length. Changes nothing while the foot has not lifted.
+  void land(double t);
+  /// The swing foot is not expected to land before `t` [s]; the double support keeps its length.
+  void wait(double t);
+  /// The phase under way ends `remaining` after `t` [s]; what comes after it keeps its lengths.
+  /// @throws InputError  `remaining` is not finite and > 0
+  void retime(double t, double remaining);
+
   GaitPhase at(double t) const;  ///< t [s] since the walk began; within this step
   const StepTimes& times() const { return times_; }
   double lift_off() const { return lift_off_; }                  ///< of this step [s]
   double touch_down() const { return lift_off_ + times_.T_ss; }  ///< of this step [s]
+  double waited() const { return waited_; }                      ///< by how much `wait` has put it off [s]
 
  private:
   int step_ = 0;
-  double lift_off_, T_ds_before_;
+  double lift_off_, T_ds_before_, waited_ = 0.0;
   StepTimes times_;
 };
 

@@ -46,6 +46,13 @@ inline const Choices<Iteration>& choices(Iteration) {
   return all;
 }
 
+/// What ends a step.
+enum class TouchDown { kTime, kContact };
+inline const Choices<TouchDown>& choices(TouchDown) {
+  static const Choices<TouchDown> all{{TouchDown::kTime, "time"}, {TouchDown::kContact, "contact"}};
+  return all;
+}
+
 inline const Choices<Side>& choices(Side) {
   static const Choices<Side> all{{kRight, "right"}, {kLeft, "left"}};
   return all;

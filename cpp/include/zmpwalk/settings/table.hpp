@@ -33,6 +33,8 @@ struct GaitSettings {
   double cadence_sideways = 3.0, cadence_turning = kNaN;
   bool stand = true;
   double stand_gain = 1.0, closing_distance = kNaN, closing_turn = 0.05;
+  TouchDown touch_down = TouchDown::kTime;
+  double touch_down_share = 0.5, touch_down_time = kNaN, touch_down_depth = kNaN;
 
   template <class Self, class Visitor>
   static void rows(Self& g, Visitor&& v) {
@@ -72,6 +74,18 @@ struct GaitSettings {
     v(g.closing_turn, "closing_turn", "closing_turn", "rad", must_be::kNotNegative, {},
       "A walk ends with a step that sets the foot beside the other one. That step is taken only where the headings "
       "of the path and of the standing foot differ by no more than this.");
+    v(g.touch_down, "touch_down", "touch_down", "", must_be::kAnything, {},
+      "What ends a step: 'time' alone, or 'contact': the step ends when the swing foot is felt to touch the ground, "
+      "before or after the planned time. A foot whose contact is not known, or was never felt, ends its step by time.");
+    v(g.touch_down_share, "touch_down_share", "touch_down_share", "", must_be::kShare, {},
+      "Share of the single support before which a contact of the swing foot does not end the step: a foot that has "
+      "just lifted may scuff the ground. Only where touch_down is 'contact'.");
+    v(g.touch_down_time, "touch_down_time", "touch_down_time", "s", must_be::kNotNegative, {0.5, of::kTimeConstant},
+      "How long a swing foot that meets no ground at its planned time goes on down, until the step ends by time. Only "
+      "where touch_down is 'contact'.");
+    v(g.touch_down_depth, "touch_down_depth", "touch_down_depth", "m", must_be::kNotNegative, {0.01, of::kComHeight},
+      "How far a swing foot that meets no ground at its planned time goes down below the planned height. Its speed "
+      "stays below about twice touch_down_depth / touch_down_time. Only where touch_down is 'contact'.");
   }
 };
 

@@ -72,7 +72,12 @@ class WalkingController {
   void move(const JointMotion& motion);
   const JointMotion& motion() const { return body_.motion(); }
 
+  /// The phase under way at the last cycle ends `remaining` [s] after that cycle; see `GaitGenerator::retime`. Call it between cycles.
+  /// @throws InputError  `remaining` is not finite and > 0
+  void retime(double remaining) { gait_.retime(remaining); }
+
   const CycleOutput& output() const { return out_; }
+  const GaitOutput& gait() const { return gait_.output(); }  ///< what the gait asked for in the last cycle
   // What the last cycle asked of the whole body.
   const Stance& stance() const { return stance_; }
   const TaskAccelerations& tasks() const { return f_star_; }  ///< the COM's x and y are `com_acceleration`
