@@ -8,6 +8,7 @@
 #include "zmpwalk/control/momentum.hpp"
 #include "zmpwalk/math/error.hpp"
 #include "zmpwalk/math/rotation.hpp"
+#include "zmpwalk/robot/robot_names.hpp"
 #include "zmpwalk/zmp/reference_iteration.hpp"
 
 namespace zmpwalk {
@@ -293,6 +294,8 @@ void WalkingController::reset(const mjData* data) {
   R_HB_ = rotation_z(std::atan2(forward.y(), forward.x())).transpose() * dyn.R_WB;
   for (const Side side : kSides) up_[side] = dyn.sole[side].R_WF.col(2);
   reference_.reset();
+  added_.reset();
+  whole_body_.reserve(added_);
   f_xy_.setZero();
   started_ = true;
 }
@@ -337,6 +340,27 @@ void WalkingController::move(const JointMotion& motion) {
     if (!reference_.names(j)) swinging_.push_back(j);
 }
 
+void WalkingController::add(const std::shared_ptr<Task>& task, double blend) {
+  NamesOfRobot names(robot_);
+  task->attach(names);
+  added_.add(task, robot_.nv(), std::isnan(blend) ? settings_.motion_blend : blend);
+  whole_body_.reserve(added_);
+}
+
+void WalkingController::remove(const Task& task, double blend) {
+  added_.remove(task, std::isnan(blend) ? settings_.motion_blend : blend);
+  whole_body_.reserve(added_);
+}
+
+void WalkingController::set_external(const std::vector<ExternalWrench>& external) {
+  for (const ExternalWrench& each : external) {
+    if (!each.wrench.allFinite()) throw InputError("an external force or moment is not finite");
+    if (each.frame < 0 || each.frame >= static_cast<int>(robot_.dynamics().frames.size()))
+      throw InputError("an external force acts at frame " + std::to_string(each.frame) + ", which is not watched");
+  }
+  external_ = external;
+}
+
 const CycleOutput& WalkingController::update(mjData* data, Terms terms) {
   if (!started_) throw InputError("update was called before reset(data)");
   robot_.require_data(data);
@@ -353,12 +377,14 @@ const CycleOutput& WalkingController::update(mjData* data, Terms terms) {
     robot_.read_computed(data);
   else
     robot_.read(data);
+  robot_.apply_external(external_);
   const Dynamics& dyn = robot_.dynamics();
   const double t = data->time - t_start_;
   const bool measured = settings_.com_state == ComState::kMeasured;
+  shift_ = forced_pendulum(dyn, ground_).shift;
 
-  const GaitInput in =
-      gait_input(t, measured ? Vec2(dyn.com.head<2>()) : com_des_, measured ? Vec2(dyn.dcom.head<2>()) : dcom_des_);
+  const GaitInput in = gait_input(t, Vec2((measured ? Vec2(dyn.com.head<2>()) : com_des_) + shift_),
+                                  measured ? Vec2(dyn.dcom.head<2>()) : dcom_des_);
   if (Vec3 live; mailbox_.take(live) && live != out_.command) gait_.command(out_.command = live);
   const GaitOutput& gait = gait_.update(in);
   move_height(t, gait.stretch);
@@ -367,7 +393,7 @@ const CycleOutput& WalkingController::update(mjData* data, Terms terms) {
   const auto to_S = [&](const Vec2& p) { return Vec2(R_S_.transpose() * p); };
   x_ = to_S(in.com - gait.origin);
   v_ = to_S(in.dcom);
-  x_meas_ = to_S(dyn.com.head<2>() - gait.origin);
+  x_meas_ = to_S(dyn.com.head<2>() + shift_ - gait.origin);
   v_meas_ = to_S(dyn.dcom.head<2>());
 
   out_.t = data->time;
@@ -388,12 +414,13 @@ const CycleOutput& WalkingController::update(mjData* data, Terms terms) {
   }
 
   reference_.update(t);
+  added_.update({dyn, t, gait.heading, gait.v_plan.z()});
   task_accelerations(gait);
   stance_.standing = gait.standing;
   stance_.support = gait.support;
   stance_.lateral << -std::sin(gait.heading), std::cos(gait.heading), 0.0;
   if (settings_.momentum_arms > 0.0) swing_arms(gait);
-  whole_body_.prepare(dyn, stance_, f_star_);
+  whole_body_.prepare(dyn, stance_, f_star_, &added_);
   choose_reference(gait);
   whole_body_.solve(f_xy_, result_);
   out_.f_c = result_.f_c;
@@ -423,7 +450,7 @@ void WalkingController::task_accelerations(const GaitOutput& gait) {
   f_star_.posture +=
       pd_acceleration(s.posture_kp, s.posture_kd, q_ref.head(n) - dyn.q, dq_ref.head(n) - dyn.dq.tail(n));
   if (gait.phase.phase == Phase::kDoubleSupport) return;
-  const SoleState& sole = dyn.sole[gait.swing];
+  const FrameState& sole = dyn.sole[gait.swing];
   const SwingTarget& target = gait.swing_target;
   Vec6 error, rate;
   error << target.p - sole.p_WF, orientation_error(target.R, sole.R_WF);
@@ -441,8 +468,8 @@ void WalkingController::swing_arms(const GaitOutput& gait) {
   const Dynamics& dyn = robot_.dynamics();
   const double kp = settings_.momentum_kp, kd = settings_.momentum_kd;
   for (const int j : swinging_) f_star_.posture[j] = 0.0;
-  whole_body_.prepare(dyn, stance_, f_star_);
-  yaw_momentum_row(dyn, c_);
+  whole_body_.prepare(dyn, stance_, f_star_, &added_);
+  momentum_row(dyn, Vec3::UnitZ(), c_.transpose());
   // A robot that turns as planned keeps the momentum of turning as one body.
   double L_rest = c_.dot(dyn.dq) - gait.v_plan.z() * c_.segment<3>(3).dot(dyn.R_WB.row(2)), square = 0.0;
   for (const int j : swinging_) {
@@ -552,7 +579,7 @@ void WalkingController::choose_reference(const GaitOutput& gait) {
   out_.zmp_ref = to_W(reference);
   out_.zmp_lower = to_W(bounds.lower);
   out_.zmp_upper = to_W(bounds.upper);
-  com_des_ = to_W(c.x_d);
+  com_des_ = to_W(c.x_d) - shift_;
   dcom_des_ = R_S_ * c.v_d;
   out_.com_des << com_des_, ground_ + com_height_ - crouch_;
   out_.dcom_des << dcom_des_, -dcrouch_;

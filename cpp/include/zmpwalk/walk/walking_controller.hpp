@@ -5,6 +5,8 @@
 #include <memory>
 #include <string>
 
+#include "zmpwalk/control/external.hpp"
+#include "zmpwalk/control/task_stack.hpp"
 #include "zmpwalk/control/whole_body.hpp"
 #include "zmpwalk/gait/gait_generator.hpp"
 #include "zmpwalk/gait/joint_motion.hpp"
@@ -62,6 +64,24 @@ class WalkingController {
   ///         `fall_tilt`; posture_task off. Nothing is changed then.
   void move(const JointMotion& motion);
   const JointMotion& motion() const { return reference_.motion(); }
+
+  /// From the next cycle on, `task` is met while the robot walks, its effect rising from nothing within `blend`; it outlives `reset`.
+  ///
+  /// It acts with the joints outside the legs, in what tasks of smaller `priority` leave free; the posture takes the rest. Call it between cycles.
+  /// @param blend [s]; NaN takes the setting `motion_blend`
+  /// @throws InputError  a name that the robot does not have, a task that is there already, a weight outside 0 to 1, settings that
+  ///         leave the direct path (textbook, posture_task, wrench_distribution). Nothing is changed then.
+  void add(const std::shared_ptr<Task>& task, double blend = kNaN);
+  /// The task loses its effect within `blend` [s], NaN as above. Call it between cycles. @throws InputError  it is not there
+  void remove(const Task& task, double blend = kNaN);
+  const TaskStack& added_tasks() const { return added_; }
+  /// Control cycles since the last reset.
+  long cycles() const { return (tick_ + ticks_per_cycle_ - 1) / ticks_per_cycle_; }
+
+  /// Index of the frame of a body or site of the robot, where known forces may act: `Robot::watch`. Call it between cycles.
+  int watch(const std::string& name) { return robot_.watch(name); }
+  /// Known forces on the robot in the cycles that follow. @throws InputError  not finite, or at a frame that is not watched
+  void set_external(const std::vector<ExternalWrench>& external);
 
   const CycleOutput& output() const { return out_; }
   // What the last cycle asked of the whole body.
@@ -126,6 +146,8 @@ class WalkingController {
   VelocityTracker tracker_;
   WholeBodyController whole_body_;
   ZmpEstimator estimator_;
+  TaskStack added_;
+  std::vector<ExternalWrench> external_;
 
   double hip_turn_;  // of the hips about the vertical [rad]
   Mailbox mailbox_;
@@ -142,6 +164,7 @@ class WalkingController {
   Mat3 R_HB_;               // trunk in the heading frame at the start
   std::array<Vec3, 2> up_;  // normals of the soles at the start
   Vec2 com_des_ = Vec2::Zero(), dcom_des_ = Vec2::Zero();  // previous desired state, W
+  Vec2 shift_ = Vec2::Zero();                              // of the pendulum's COM by known forces, W
 
   // Of this cycle
   Vec2 x_, v_;            // "current" COM state of (16), S
