@@ -1,4 +1,4 @@
-#include "common.hpp"
+#include "bind_tasks.hpp"
 #include "zmpwalk/walk/walking_controller.hpp"
 
 using namespace zmpwalk;
@@ -77,16 +77,19 @@ void bind_walking_controller(py::module_& m) {
           "finite.")
       .def(
           "update",
-          [](WalkingController& c, const py::object& data, bool after_step1) -> const CycleOutput& {
+          [](WalkingController& c, const py::object& data, bool after_step1,
+             const py::object& external) -> const CycleOutput& {
+            c.set_external(external_of(c, external));
             return c.update(data_of(data), after_step1 ? Terms::kInData : Terms::kCompute);
           },
-          "data"_a, "after_step1"_a = false, py::return_value_policy::copy,
+          "data"_a, "after_step1"_a = false, "external"_a = py::none(), py::return_value_policy::copy,
           "Computes the torque for the state in `data`, writes data.ctrl, returns a copy of what was decided.\n\n"
           "Args:\n    data: mujoco.MjData.\n    after_step1: mj_step1 (or mj_forward) has just run for this state, so "
           "that "
           "`data` holds kinematics,\n        inertia and bias forces already; the torque has the same bits, in half "
           "the "
-          "time.\n\n"
+          "time.\n    external: known forces on the robot, {body or site: (6,) force and moment at its frame's origin, "
+          "world axes\n        [N, N m]}; None where there are none.\n\n"
           "Raises:\n    InputError: the state is not finite, its terms belong to another, or reset() was not called; "
           "nothing is\n        changed.")
       .def(
@@ -110,6 +113,21 @@ void bind_walking_controller(py::module_& m) {
       .def("move", &WalkingController::move, "motion"_a,
            "Joints outside the legs, and the trunk, follow `motion` from now on; see the package's WalkingController.")
       .def_property_readonly("motion", &WalkingController::motion)
+      .def("add", &WalkingController::add, "task"_a, "blend"_a = kNaN,
+           "The task is met from now on; see the package's WalkingController.")
+      .def(
+          "remove",
+          [](WalkingController& c, const std::shared_ptr<Task>& task, double blend) { c.remove(*task, blend); },
+          "task"_a, "blend"_a = kNaN, "The task loses its effect; see the package's WalkingController.")
+      .def_property_readonly("cycles", &WalkingController::cycles, "control cycles since the last reset")
+      .def_property_readonly(
+          "task_activations",
+          [](const WalkingController& c) {
+            std::vector<double> out;
+            for (const TaskStack::Entry& entry : c.added_tasks().entries()) out.push_back(entry.activation);
+            return out;
+          },
+          "how far each added task acts, in the order of their priority: from 0 to its weight")
       .def_property_readonly("description", [](const WalkingController& c) { return c.robot().description(); })
       .def_property_readonly("joint_names", [](const WalkingController& c) { return c.robot().joint_names(); })
       .def_property_readonly(

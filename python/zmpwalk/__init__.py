@@ -57,6 +57,7 @@ from .profiles import VelocityProfile
 from .proposal import Proposal, propose
 from .settings import load_settings, settings_toml
 from .simulation import Recorder, WalkingController, simulate, simulate_batch
+from .tasks import FrameTask, JointTask, MomentumTask
 from .trace import Trace
 from .waypoints import Waypoints, walk_to
 
@@ -67,11 +68,14 @@ __all__ = [
     "Dynamics",
     "Error",
     "Foot",
+    "FrameTask",
     "GaitGenerator",
     "InputError",
     "JointMotion",
+    "JointTask",
     "LinearInvertedPendulum",
     "ModelError",
+    "MomentumTask",
     "Proposal",
     "Recorder",
     "Robot",
