@@ -22,14 +22,15 @@ __attribute__((noinline)) void counted_update(WalkingController& controller, mjD
 int count(const mjModel* m, Phase phase, Terms terms, const std::string& kernel) {
   const RobotDescription description = describe(m);
   WalkSettings settings;
-  settings.kernel = kernel;
+  settings.control.kernel = kernel;
   WalkingController controller(m, description, settings);
   MjDataPtr data(mj_makeData(m));
   mjData* d = data.get();
   description.place(m, d);
   controller.reset(d);
   const WalkSettings& used = controller.settings();
-  Schedule schedule(used.T_ds_first, used.T_ds, used.T_ss);  // as it is in this walk, whose steps are all slow
+  Schedule schedule(used.gait.T_ds_first, used.gait.T_ds,
+                    used.gait.T_ss);  // as it is in this walk, whose steps are all slow
   int cycles = 0;
   while (d->time < 2.4) {
     mj_step1(m, d);

@@ -14,7 +14,7 @@ struct PyGait {
         settings(resolve(s, scale(com_height, gravity, timestep, foot_distance))),
         gait(settings, p, {sole_length, sole_width}, {bounds(), bounds()}) {}
   ZmpBounds bounds() const {
-    const Vec2 half = 0.5 * settings.sole_fraction * sole;
+    const Vec2 half = 0.5 * settings.zmp.sole_fraction * sole;
     return {-half, half};
   }
   static RobotScale scale(double com_height, double gravity, double timestep, double foot_distance) {

@@ -76,8 +76,8 @@ std::vector<Column> CycleBenchmark::run(double duration, int textbook_every,
     ReferenceResult found;
     const double iteration = microseconds([&] {
       found = iterate_reference([&](const Vec2& r) { return direct_.zmp(f_xy + df_dr * (r - start)); }, wanted, start,
-                                Vec2(1.0, 0.0), controller_.settings().zmp_threshold,
-                                controller_.settings().max_iterations);
+                                Vec2(1.0, 0.0), controller_.settings().zmp.threshold,
+                                controller_.settings().zmp.max_iterations);
     });
     double textbook = kNaN, difference = kNaN;
     if (textbook_every > 0 && k % textbook_every == 0 && !fast.damped) {

@@ -32,7 +32,7 @@ bool diverged(const mjData* d) {
 
 Recorder::Recorder(const WalkingController& controller, double duration) : controller_(&controller) {
   const auto rows =
-      static_cast<std::size_t>(std::clamp(duration, 0.0, kReservedTime) / controller.settings().control_dt) + 2;
+      static_cast<std::size_t>(std::clamp(duration, 0.0, kReservedTime) / controller.settings().control.dt) + 2;
   const int nv = controller.robot().nv(), joints = nv - 6;
   const std::vector<std::pair<const char*, int>> layout{{"t", 1},
                                                         {"com", 3},
@@ -169,9 +169,9 @@ RunResult Simulation::run(double duration, Recorder& recorder, const std::functi
   const bool in_two = m->opt.integrator != mjINT_RK4;  // MuJoCo cannot part a Runge-Kutta step
   RunResult result;
   result.cycle_us.reserve(
-      static_cast<std::size_t>(std::min(duration, kReservedTime) / controller_.settings().control_dt) + 2);
+      static_cast<std::size_t>(std::min(duration, kReservedTime) / controller_.settings().control.dt) + 2);
   double airborne = 0.0;
-  const long every = std::max(1L, std::lround(cycle_interval / controller_.settings().control_dt));
+  const long every = std::max(1L, std::lround(cycle_interval / controller_.settings().control.dt));
   long cycle = 0;
   const auto start = std::chrono::steady_clock::now();
   double reported = 0.0;
@@ -194,7 +194,7 @@ RunResult Simulation::run(double duration, Recorder& recorder, const std::functi
     recorder.add(out, d);
     if (out.fresh) {
       const bool touches = !std::isnan(recorder.contact().wrench[2]) || !std::isnan(recorder.contact().wrench[8]);
-      airborne = touches ? 0.0 : airborne + controller_.settings().control_dt;
+      airborne = touches ? 0.0 : airborne + controller_.settings().control.dt;
     }
     result.fell = out.fell != Fall::kNone ? out.fell : airborne > kLongestFlight ? Fall::kNoContact : Fall::kNone;
     if (result.fell != Fall::kNone || result.stopped) break;

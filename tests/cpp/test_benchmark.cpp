@@ -66,8 +66,9 @@ BOOST_AUTO_TEST_CASE(terms_of_another_state_are_refused_and_nothing_changes) {
 BOOST_AUTO_TEST_CASE(builds_of_the_loops_walk_alike) {
   // Rounding differs, and a walk amplifies it; so the same states are put to every build.
   for (const Kernel* k : kernels()) {
-    WalkingController plain(mahru(), describe(mahru()), with([](WalkSettings& s) { s.kernel = kernels()[0]->name; }));
-    WalkingController other(mahru(), describe(mahru()), with([&](WalkSettings& s) { s.kernel = k->name; }));
+    WalkingController plain(mahru(), describe(mahru()),
+                            with([](WalkSettings& s) { s.control.kernel = kernels()[0]->name; }));
+    WalkingController other(mahru(), describe(mahru()), with([&](WalkSettings& s) { s.control.kernel = k->name; }));
     const MjDataPtr d = make_data(mahru());
     plain.robot().description().place(mahru(), d.get());
     plain.reset(d.get());

@@ -16,8 +16,8 @@ const std::array<Foothold, 2> kStart{Foothold{Vec2(0, 0.11), 0.0}, Foothold{Vec2
 
 WalkSettings settings(Footsteps kind, std::vector<double> lengths = {}) {
   WalkSettings s;
-  s.footsteps = kind;
-  s.step_lengths = std::move(lengths);
+  s.steps.mode = kind;
+  s.steps.lengths = std::move(lengths);
   return resolve(s, kRobot);
 }
 
@@ -28,7 +28,11 @@ FootstepPlanner planner(const WalkSettings& s, const VelocityProfile& profile) {
 }
 
 Cadence cadence(const WalkSettings& s) {
-  return {{s.T_ds, s.T_ss}, s.cadence_speed, s.cadence_exponent, s.cadence_double, {1.0, s.cadence_sideways, 0.0}};
+  return {{s.gait.T_ds, s.gait.T_ss},
+          s.gait.cadence_speed,
+          s.gait.cadence_exponent,
+          s.gait.cadence_double,
+          {1.0, s.gait.cadence_sideways, 0.0}};
 }
 
 /// Largest difference between the speeds of the feet and of the plan in `duration` [s].
@@ -72,12 +76,12 @@ BOOST_AUTO_TEST_CASE(listed_lengths_are_compared_at_the_cadence_that_walks_them)
   WalkSettings s = settings(Footsteps::kList, {1.0});
   const VelocityProfile fast({0.0}, {Vec3(0.6, 0, 0)});
   CHECK_NEAR(mismatch(s, fast, 4.0), 1.0 / kPeriod - 0.6, 1e-12);
-  s.cadence_exponent = 0.4;  // steps of 0.6 m/s then take (cadence_speed / 0.6)^0.4 of the slow ones
-  const double period = kPeriod * std::pow(s.cadence_speed / 0.6, 0.4);
+  s.gait.cadence_exponent = 0.4;  // steps of 0.6 m/s then take (cadence_speed / 0.6)^0.4 of the slow ones
+  const double period = kPeriod * std::pow(s.gait.cadence_speed / 0.6, 0.4);
   CHECK_NEAR(mismatch(s, fast, 4.0), 1.0 / period - 0.6, 1e-12);
   // Half of two leads is what the plan does in a period, from the first step on.
   const double twice = 2 * 0.6 * period;
-  s.step_lengths = {twice, 0.0, twice, 0.0, twice, 1.5 * twice};
+  s.steps.lengths = {twice, 0.0, twice, 0.0, twice, 1.5 * twice};
   CHECK_NEAR(mismatch(s, fast, 5 * period), 0.0, 1e-12);
   CHECK_NEAR(mismatch(s, fast, 5.99 * period), 0.0, 1e-12);
   CHECK_NEAR(mismatch(s, fast, 6 * period), 1.5 * 0.6, 1e-12);
@@ -85,11 +89,11 @@ BOOST_AUTO_TEST_CASE(listed_lengths_are_compared_at_the_cadence_that_walks_them)
 
 BOOST_AUTO_TEST_CASE(each_listed_step_takes_the_time_of_the_plan_ahead_of_it) {
   WalkSettings s = settings(Footsteps::kList, {0.0});
-  s.cadence_exponent = 0.4;
-  const double fast = kPeriod * std::pow(s.cadence_speed / 0.6, 0.4);
+  s.gait.cadence_exponent = 0.4;
+  const double fast = kPeriod * std::pow(s.gait.cadence_speed / 0.6, 0.4);
   const VelocityProfile faster({0.0, 2 * kPeriod}, {Vec3(0.2, 0, 0), Vec3(0.6, 0, 0)});
   const double slow_2 = 2 * 0.2 * kPeriod, fast_2 = 2 * 0.6 * fast;
-  s.step_lengths = {slow_2, 0.0, fast_2, 0.0, fast_2, 0.0, fast_2};
+  s.steps.lengths = {slow_2, 0.0, fast_2, 0.0, fast_2, 0.0, fast_2};
   CHECK_NEAR(mismatch(s, faster, 2 * kPeriod + 5 * fast), 0.0, 1e-12);
   CHECK_NEAR(mismatch(s, faster, 2 * kPeriod + 6 * fast), 0.6, 1e-12);  // the last length once more
 }
@@ -220,8 +224,8 @@ BOOST_AUTO_TEST_CASE(soles_keep_clear_of_each_other_whatever_the_turn) {
           const Vec2 corner = to.p + x * kSole.length * ahead_of(to.yaw) + y * kSole.width * left_of(to.yaw);
           least = std::min(least, side_sign(swing) * (corner - stance.p).dot(left_of(stance.yaw)) - 0.5 * kSole.width);
         }
-      BOOST_CHECK_GE(least, s.foot_clearance - 1e-9);
-      moved += least < s.foot_clearance + 1e-9;
+      BOOST_CHECK_GE(least, s.steps.clearance - 1e-9);
+      moved += least < s.steps.clearance + 1e-9;
     }
   }
   BOOST_CHECK_GT(moved, 100);
@@ -233,10 +237,10 @@ BOOST_AUTO_TEST_CASE(tied_foothold_goes_where_the_com_will_be_half_a_step_behind
   feet.advance(4.6, Vec2(0.55, 0));
   feet.begin_step(3, kRight, {Vec2(0.5, 0.11), 0.0}, 5.0, kPeriod);
   // By hand: COM at 0.55 m, 0.4 s before the middle of the next double support, where its DCM will be 0.006 m ahead of the plan.
-  const double wanted = 0.55 + 0.25 * 0.4 + 0.006 + 0.5 * 0.2 - s.com_lead;
+  const double wanted = 0.55 + 0.25 * 0.4 + 0.006 + 0.5 * 0.2 - s.com.lead;
   Foothold to;
   for (int k = 0; k < 2000; ++k) to = feet.update(0.006, -0.01, 5.0, kPeriod, 0.3, kDt);
-  BOOST_REQUIRE_LT(std::abs(wanted - 0.7), s.foothold_reach);
+  BOOST_REQUIRE_LT(std::abs(wanted - 0.7), s.steps.reach);
   CHECK_NEAR(to.p, Vec2(wanted, -0.12), 1e-9);
 }
 
@@ -246,11 +250,11 @@ BOOST_AUTO_TEST_CASE(tied_foothold_is_low_passed_clamped_and_frozen) {
   feet.advance(4.6, Vec2(0.55, 0));
   const Foothold nominal = feet.begin_step(3, kRight, {Vec2(0.5, 0.11), 0.0}, 5.0, kPeriod);
   const auto update = [&](double share, double aside) { return feet.update(2.0, aside, 5.0, kPeriod, share, kDt).p; };
-  CHECK_NEAR(update(0.1, 0.0).x() - nominal.p.x(), s.foothold_reach * (1 - std::exp(-kDt / s.foothold_time)), 1e-12);
+  CHECK_NEAR(update(0.1, 0.0).x() - nominal.p.x(), s.steps.reach * (1 - std::exp(-kDt / s.steps.filter_time)), 1e-12);
   for (int k = 0; k < 2000; ++k) update(0.1, -2.0);
-  CHECK_NEAR(update(0.1, -2.0) - nominal.p, Vec2(s.foothold_reach, -s.foothold_reach), 1e-9);
+  CHECK_NEAR(update(0.1, -2.0) - nominal.p, Vec2(s.steps.reach, -s.steps.reach), 1e-9);
   for (int k = 0; k < 2000; ++k) update(0.1, 2.0);
-  CHECK_NEAR(update(0.1, 2.0).y(), std::min(-0.11 + s.foothold_reach, 0.11 - kSole.width - s.foot_clearance), 1e-9);
+  CHECK_NEAR(update(0.1, 2.0).y(), std::min(-0.11 + s.steps.reach, 0.11 - kSole.width - s.steps.clearance), 1e-9);
   feet.begin_step(4, kLeft, {Vec2(0.7, -0.11), 0.0}, 5.8, kPeriod);
   const Vec2 frozen = feet.target().p;
   CHECK_NEAR(update(0.71, 0.0), frozen, 0.0);
@@ -280,7 +284,7 @@ BOOST_AUTO_TEST_CASE(last_step_goes_beside_the_stance_foot_where_the_com_comes_t
     }
     return closed;
   };
-  const double reach = s.closing_reach, turn = s.closing_turn;
+  const double reach = s.gait.closing_distance, turn = s.gait.closing_turn;
   const auto aside = [](double y) { return Foothold{Vec2(0.3, 0.11 + y), 0.0}; };
   BOOST_CHECK(closes(aside(0), 0.99 * reach) && closes(aside(0), -0.99 * reach) && !closes(aside(0), 1.01 * reach));
   BOOST_CHECK(closes(aside(-0.99 * reach), 0.0) && !closes(aside(-1.01 * reach), 0.0));
@@ -290,44 +294,44 @@ BOOST_AUTO_TEST_CASE(last_step_goes_beside_the_stance_foot_where_the_com_comes_t
 
 BOOST_AUTO_TEST_CASE(settings_come_from_the_robot_where_they_are_not_set) {
   const WalkSettings s = settings(Footsteps::kTied);
-  CHECK_NEAR(s.T_ss + s.T_ds, 0.8, 1e-12);
-  CHECK_NEAR(s.T_ds, 0.16, 1e-12);
-  CHECK_NEAR(s.T_ds_first, 0.1806, 1e-3);
-  BOOST_CHECK_EQUAL(s.control_dt, 0.001);
-  BOOST_CHECK_EQUAL(s.step_width, 0.22);
+  CHECK_NEAR(s.gait.T_ss + s.gait.T_ds, 0.8, 1e-12);
+  CHECK_NEAR(s.gait.T_ds, 0.16, 1e-12);
+  CHECK_NEAR(s.gait.T_ds_first, 0.1806, 1e-3);
+  BOOST_CHECK_EQUAL(s.control.dt, 0.001);
+  BOOST_CHECK_EQUAL(s.steps.width, 0.22);
   visit_settings(s, [](const char* name, const auto& value, const char*, const char* meaning) {
     BOOST_CHECK_MESSAGE(std::string(meaning).size() > 10, name);
     if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>)
       BOOST_CHECK_MESSAGE(std::isfinite(value), name);
   });
-  CHECK_NEAR(s.capture_reach, 0.07 * 0.747, 1e-12);
-  CHECK_NEAR(s.capture_speed, 0.2 * std::sqrt(9.81 * 0.747), 1e-12);
+  CHECK_NEAR(s.steps.capture_distance, 0.07 * 0.747, 1e-12);
+  CHECK_NEAR(s.steps.capture_speed, 0.2 * std::sqrt(9.81 * 0.747), 1e-12);
   // A robot four times as tall walks half as fast in time: periods double, k_p goes with 1/4, k_d with 1/2.
   const WalkSettings tall = resolve(WalkSettings(), {4 * 0.747, 9.81, 0.001, 0.9});
-  CHECK_NEAR(tall.T_ss, 2 * s.T_ss, 1e-12);
-  CHECK_NEAR(tall.com_x_kp, s.com_x_kp / 4, 1e-9);
-  CHECK_NEAR(tall.swing_kd, s.swing_kd / 2, 1e-9);
+  CHECK_NEAR(tall.gait.T_ss, 2 * s.gait.T_ss, 1e-12);
+  CHECK_NEAR(tall.com.kp_x, s.com.kp_x / 4, 1e-9);
+  CHECK_NEAR(tall.swing.kd, s.swing.kd / 2, 1e-9);
 }
 
 BOOST_AUTO_TEST_CASE(steps_come_faster_in_a_faster_walk_unless_a_list_sets_their_lengths) {
-  BOOST_CHECK(std::isnan(WalkSettings().cadence_exponent));
-  BOOST_CHECK_EQUAL(settings(Footsteps::kTied).cadence_exponent, 0.4);
-  BOOST_CHECK_EQUAL(settings(Footsteps::kTied, {0.2}).cadence_exponent, 0.4);  // tied: nobody reads the list
-  BOOST_CHECK_EQUAL(settings(Footsteps::kAbsolute).cadence_exponent, 0.4);
-  BOOST_CHECK_EQUAL(settings(Footsteps::kAbsolute, {0.2}).cadence_exponent, 0.0);
+  BOOST_CHECK(std::isnan(WalkSettings().gait.cadence_exponent));
+  BOOST_CHECK_EQUAL(settings(Footsteps::kTied).gait.cadence_exponent, 0.4);
+  BOOST_CHECK_EQUAL(settings(Footsteps::kTied, {0.2}).gait.cadence_exponent, 0.4);  // tied: nobody reads the list
+  BOOST_CHECK_EQUAL(settings(Footsteps::kAbsolute).gait.cadence_exponent, 0.4);
+  BOOST_CHECK_EQUAL(settings(Footsteps::kAbsolute, {0.2}).gait.cadence_exponent, 0.0);
   for (const Footsteps kind : {Footsteps::kPaper, Footsteps::kPrinted, Footsteps::kList})
-    BOOST_CHECK_EQUAL(settings(kind, {0.2}).cadence_exponent, 0.0);
+    BOOST_CHECK_EQUAL(settings(kind, {0.2}).gait.cadence_exponent, 0.0);
   for (const Footsteps kind : {Footsteps::kTied, Footsteps::kList}) {
     WalkSettings own;
-    own.footsteps = kind;
-    own.step_lengths = {0.2};
-    own.cadence_exponent = 0.25;
-    BOOST_CHECK_EQUAL(resolve(own, kRobot).cadence_exponent, 0.25);
+    own.steps.mode = kind;
+    own.steps.lengths = {0.2};
+    own.gait.cadence_exponent = 0.25;
+    BOOST_CHECK_EQUAL(resolve(own, kRobot).gait.cadence_exponent, 0.25);
   }
 }
 
 BOOST_AUTO_TEST_CASE(step_height_is_what_the_knee_can_lift_against_its_rotor_and_damping) {
-  CHECK_NEAR(settings(Footsteps::kTied).step_height, 0.0535 * 0.747, 1e-12);
+  CHECK_NEAR(settings(Footsteps::kTied).swing.height, 0.0535 * 0.747, 1e-12);
   // A lift h takes 10 rad/m * (0.1 kg m^2 * 6 h / (0.32 s)^2 + 0.5 N m s * 1.5 h / 0.32 s) of the knee.
   RobotScale heavy = kRobot;
   heavy.knee_per_lift = 10.0;
@@ -335,11 +339,11 @@ BOOST_AUTO_TEST_CASE(step_height_is_what_the_knee_can_lift_against_its_rotor_and
   heavy.knee_damping = 0.5;
   heavy.knee_torque = 2.0;
   const double torque_per_lift = 10.0 * (0.1 * 6.0 / (0.32 * 0.32) + 0.5 * 1.5 / 0.32),
-               lift = resolve(WalkSettings(), heavy).step_height;
+               lift = resolve(WalkSettings(), heavy).swing.height;
   BOOST_CHECK_LT(lift, 0.0535 * 0.747);
   BOOST_CHECK_LE(lift * torque_per_lift, 0.8 * heavy.knee_torque);  // leaves the knee torque to swing the leg with
   heavy.knee_torque = 4.0;
-  CHECK_NEAR(resolve(WalkSettings(), heavy).step_height, 2 * lift, 1e-12);
+  CHECK_NEAR(resolve(WalkSettings(), heavy).swing.height, 2 * lift, 1e-12);
 }
 
 BOOST_AUTO_TEST_CASE(a_faster_walk_lifts_the_foot_less_where_the_forward_swing_takes_the_knees_torque) {
@@ -349,12 +353,12 @@ BOOST_AUTO_TEST_CASE(a_faster_walk_lifts_the_foot_less_where_the_forward_swing_t
   heavy.knee_armature = 0.7;
   heavy.knee_torque = 10.0;
   const WalkSettings slow = resolve(WalkSettings(), heavy), fast = resolve(WalkSettings(), heavy, 0.25);
-  BOOST_CHECK_LT(fast.step_height, slow.step_height);
+  BOOST_CHECK_LT(fast.swing.height, slow.swing.height);
   // At lift-off the hip is v (T + T_ds) / 2 = 0.12 m ahead of the ankle and the foot starts with 6 (2 v T) / T_ss^2 = 5.859 m/s^2.
   CHECK_NEAR(knee_share(heavy, fast, 0.0, 0.25), 5.0 * 0.7 * 0.12 / 0.65 * 5.859375 / 10.0, 1e-9);
-  CHECK_NEAR(knee_share(heavy, fast, fast.step_height, 0.25), knee_share(heavy, slow, slow.step_height, 0.0), 1e-12);
+  CHECK_NEAR(knee_share(heavy, fast, fast.swing.height, 0.25), knee_share(heavy, slow, slow.swing.height, 0.0), 1e-12);
   heavy.knee_torque = 0.1;  // too weak for any: a least step is left
-  CHECK_NEAR(resolve(WalkSettings(), heavy, 0.25).step_height, 0.01 * heavy.com_height, 1e-12);
+  CHECK_NEAR(resolve(WalkSettings(), heavy, 0.25).swing.height, 0.01 * heavy.com_height, 1e-12);
 }
 
 BOOST_AUTO_TEST_CASE(choices_have_names_and_unknown_names_are_refused_with_those_that_exist) {

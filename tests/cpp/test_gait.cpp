@@ -23,9 +23,9 @@ WalkSettings settings(const std::string& law = "default") { return resolve(WalkS
 struct PointWalk {
   explicit PointWalk(const WalkSettings& s, double yaw = 0.0, const VelocityProfile& profile = kAhead)
       : pendulum(kRobot.com_height, kRobot.gravity),
-        dt(s.control_dt),
+        dt(s.control.dt),
         R(rotation_z(yaw)),
-        tracker(TrackerLaw::kSmooth, s.tracker_gain, s.tracker_time, s.tracker_deadband, s.tracker_reach),
+        tracker(TrackerLaw::kSmooth, s.tracking.gain, s.tracking.time, s.tracking.deadband, s.tracking.catch_up_speed),
         gait(s, profile, kSole, {kBounds, kBounds}) {
     in.p_sole = {R * Vec3(0, 0.11, 0), R * Vec3(0, -0.11, 0)};
     in.R_sole = {R, R};
@@ -105,8 +105,8 @@ void settles(double v, double lead_tolerance, double speed_tolerance) {
 /// How far from the stance foot the DCM of a steady walk at `v` comes, before the next foot takes over [m].
 double steady_dcm(const WalkSettings& s, const PointWalk& walk, double v) {
   const double T = period_of(walk, v), pace = walk.gait.cadence().pace(Vec3(v, 0, 0));
-  const double reach = kBounds.upper.x() * std::pow(pace, s.sole_exponent) - s.com_lead;
-  return s.com_lead + 0.5 * v * T + walk.pendulum.Tc() * ForwardOrbit(walk.pendulum, v, T, reach).end_velocity();
+  const double reach = kBounds.upper.x() * std::pow(pace, s.zmp.sole_exponent) - s.com.lead;
+  return s.com.lead + 0.5 * v * T + walk.pendulum.Tc() * ForwardOrbit(walk.pendulum, v, T, reach).end_velocity();
 }
 
 /// What a walk at some speed goes through when another is commanded at any of 8 instants of two steps.
@@ -117,7 +117,7 @@ struct Jump {
 
 Jump jump(const WalkSettings& s, double v, double dv) {
   Jump out;
-  const double slow = s.T_ds + s.T_ss;
+  const double slow = s.gait.T_ds + s.gait.T_ss;
   for (int k = 0; k < 8; ++k) {
     PointWalk walk(s, 0.0, steady(v));
     walk.run_until(6.0 + 0.25 * k * period_of(walk, v));
@@ -213,16 +213,20 @@ BOOST_AUTO_TEST_CASE(phases_last_the_same_number_of_cycles_however_times_are_sum
 
 BOOST_AUTO_TEST_CASE(faster_walks_take_longer_steps_then_faster_ones_with_shorter_double_supports_without_a_jump) {
   const WalkSettings s = settings();
-  const Cadence cadence{{s.T_ds, s.T_ss}, s.cadence_speed, s.cadence_exponent, s.cadence_double, {1.0, 3.0, 0.4}};
+  const Cadence cadence{{s.gait.T_ds, s.gait.T_ss},
+                        s.gait.cadence_speed,
+                        s.gait.cadence_exponent,
+                        s.gait.cadence_double,
+                        {1.0, 3.0, 0.4}};
   const double eps = 1e-9;
   for (const Vec3& along : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1.0 / 3, 0), Vec3(0, 0, -2.5)}) {
     StepTimes before = cadence.times(Vec3::Zero());
-    BOOST_CHECK_EQUAL(before.period(), s.T_ds + s.T_ss);
+    BOOST_CHECK_EQUAL(before.period(), s.gait.T_ds + s.gait.T_ss);
     for (double v = 0.01; v < 1.5; v += 0.01) {
       const StepTimes now = cadence.times(v * along);
-      if (v <= s.cadence_speed) {
-        BOOST_CHECK_EQUAL(now.T_ss, s.T_ss);
-        BOOST_CHECK_EQUAL(now.T_ds, s.T_ds);
+      if (v <= s.gait.cadence_speed) {
+        BOOST_CHECK_EQUAL(now.T_ss, s.gait.T_ss);
+        BOOST_CHECK_EQUAL(now.T_ds, s.gait.T_ds);
       } else {
         BOOST_CHECK_LT(now.period(), before.period());
         BOOST_CHECK_LT(now.T_ds / now.period(), before.T_ds / before.period());
@@ -230,8 +234,8 @@ BOOST_AUTO_TEST_CASE(faster_walks_take_longer_steps_then_faster_ones_with_shorte
       BOOST_CHECK_GT(v * now.period(), (v - 0.01) * before.period());  // steps still grow longer
       before = now;
     }
-    CHECK_NEAR(cadence.times((1 + eps) * s.cadence_speed * along).T_ds, s.T_ds, eps);
-    CHECK_NEAR(cadence.times((1 + eps) * s.cadence_speed * along).T_ss, s.T_ss, eps);
+    CHECK_NEAR(cadence.times((1 + eps) * s.gait.cadence_speed * along).T_ds, s.gait.T_ds, eps);
+    CHECK_NEAR(cadence.times((1 + eps) * s.gait.cadence_speed * along).T_ss, s.gait.T_ss, eps);
   }
 }
 
@@ -291,11 +295,11 @@ BOOST_AUTO_TEST_CASE(swing_foot_lands_at_the_height_of_the_ground_where_it_is_kn
 }
 
 BOOST_AUTO_TEST_CASE(support_switches_once_in_each_double_support_to_the_foot_that_will_stand) {
-  for (const std::string first : {"right", "left"}) {
+  for (const Side first : kSides) {
     WalkSettings s = settings();
-    s.first_swing = first;
+    s.gait.first_swing = first;
     PointWalk walk(s);
-    Side support = first == "right" ? kRight : kLeft;
+    Side support = first;
     int switches = 0, step = 0;
     while (walk.in.t < 8.0) {
       const GaitOutput& out = walk.step();
@@ -341,7 +345,7 @@ BOOST_AUTO_TEST_CASE(lateral_feedback_settles_on_one_switch_time_in_mid_double_s
 
 BOOST_AUTO_TEST_CASE(lateral_feedback_repairs_a_start_of_the_wrong_length) {
   WalkSettings s = settings();
-  s.T_ds_first = 0.16;
+  s.gait.T_ds_first = 0.16;
   PointWalk walk(s);
   const std::vector<double> times = switch_times(walk, 20.0);
   BOOST_REQUIRE_GE(times.size(), 20U);
@@ -394,14 +398,15 @@ BOOST_AUTO_TEST_CASE(walks_everywhere_stops_with_feet_side_by_side_and_starts_ag
       if (t > 15.0) BOOST_CHECK(!out.at_rest);
       if (t < 13.0 || t > 13.0 + walk.dt) continue;
       const Vec3 across = walk.in.R_sole[kRight].transpose() * (walk.in.p_sole[kLeft] - walk.in.p_sole[kRight]);
-      CHECK_NEAR(across.head<2>(), Vec2(0, s.step_width), 1e-3);
+      CHECK_NEAR(across.head<2>(), Vec2(0, s.steps.width), 1e-3);
       CHECK_NEAR(walk.in.R_sole[kLeft], walk.in.R_sole[kRight], 1e-3);
       // The commands lead there, but for the last step and the lead of the COM over its feet.
       const Vec3 travel = walk.gait.plan().travel(0.0, 13.0);
-      CHECK_NEAR(walk.in.com, (walk.R * Vec3(travel.x(), travel.y(), 0)).head<2>(), s.closing_reach + s.com_lead);
+      CHECK_NEAR(walk.in.com, (walk.R * Vec3(travel.x(), travel.y(), 0)).head<2>(),
+                 s.gait.closing_distance + s.com.lead);
       CHECK_NEAR(out.heading, 0.7 + travel.z(), 1e-9);
     }
-    BOOST_CHECK_LT(stood, 6.0 + 4.0 * (s.T_ss + s.T_ds));
+    BOOST_CHECK_LT(stood, 6.0 + 4.0 * (s.gait.T_ss + s.gait.T_ds));
   }
 }
 
@@ -412,7 +417,7 @@ BOOST_AUTO_TEST_CASE(a_zero_profile_stands_or_steps_on_the_spot_as_asked) {
   standing.in.com = {0.01, -0.02};
   while (standing.in.t < 4.0) BOOST_REQUIRE(standing.step().at_rest);
   BOOST_CHECK_LT(standing.in.com.norm(), 1e-4);
-  s.stand = false;
+  s.gait.stand = false;
   PointWalk marching(s, 0.0, zero);
   while (marching.in.t < 4.0) BOOST_REQUIRE(!marching.step().at_rest);
   BOOST_CHECK_EQUAL(marching.gait.schedule().at(4.0).step, 4);
@@ -423,7 +428,7 @@ BOOST_AUTO_TEST_CASE(a_command_leads_from_the_next_cycle_on_until_reset) {
   PointWalk walk(s, 0.0, VelocityProfile({0.0}, {Vec3::Zero()}));
   while (walk.in.t < 1.0) walk.step();
   walk.gait.command({0.5, 0, 0});
-  CHECK_NEAR(walk.step().v_plan, Vec3(s.forward_jump, 0, 0), 1e-12);
+  CHECK_NEAR(walk.step().v_plan, Vec3(s.rate.forward_jump, 0, 0), 1e-12);
   BOOST_CHECK(!walk.step().at_rest);
   while (walk.in.t < 6.0) walk.step();
   CHECK_NEAR(walk.step().v_plan, Vec3(0.5, 0, 0), 0.0);
@@ -451,7 +456,7 @@ BOOST_AUTO_TEST_CASE(walking_back_on_long_steps_settles_on_the_planned_length_an
 BOOST_AUTO_TEST_CASE(a_command_at_any_instant_leaves_the_dcm_where_the_next_step_catches_it) {
   const WalkSettings s = settings();
   for (const double v : {0.3, 0.6, 1.0})
-    for (const double dv : {-0.3, 0.3}) BOOST_CHECK_LE(jump(s, v, dv).excess, 1.5 * s.capture_reach);
+    for (const double dv : {-0.3, 0.3}) BOOST_CHECK_LE(jump(s, v, dv).excess, 1.5 * s.steps.capture_distance);
 }
 
 BOOST_AUTO_TEST_CASE(speed_yields_after_some_jumps_of_the_command_and_never_without_one) {
@@ -467,7 +472,7 @@ BOOST_AUTO_TEST_CASE(speed_yields_where_the_com_is_shifted_and_leaves_the_next_s
   // What the DCM misses as the next foot lands, after a shift of the COM as the last one lifted, and how speed yielded then.
   const auto missed = [](double shift, double capture_speed) {
     WalkSettings s = settings();
-    s.capture_speed = capture_speed;
+    s.steps.capture_speed = capture_speed;
     PointWalk walk(s, 0.0, steady(0.3));
     walk.run_until(10.0);
     Missed out;
@@ -488,7 +493,7 @@ BOOST_AUTO_TEST_CASE(speed_yields_where_the_com_is_shifted_and_leaves_the_next_s
     out.dcm = std::abs(until(Phase::kDoubleSupport) - as_planned);
     return out;
   };
-  const double yields = settings().capture_speed;
+  const double yields = settings().steps.capture_speed;
   const Missed ahead = missed(0.08, yields), behind = missed(-0.05, yields), near = missed(0.01, yields);
   BOOST_CHECK_LT(ahead.dcm, 0.5 * missed(0.08, 0.0).dcm);
   CHECK_NEAR(behind.dcm, missed(-0.05, 0.0).dcm, 1e-9);  // the ZMP is at the heel already: there is nothing to gain
@@ -510,7 +515,7 @@ BOOST_AUTO_TEST_CASE(speed_yields_by_no_more_than_capture_speed) {
     most = std::max(most, std::abs(out.dv_capture));
   }
   BOOST_CHECK_GT(most, kRounding);
-  BOOST_CHECK_LE(most, s.capture_speed);
+  BOOST_CHECK_LE(most, s.steps.capture_speed);
 }
 
 BOOST_AUTO_TEST_CASE(orbit_does_not_jump_ahead_from_cycle_to_cycle) {

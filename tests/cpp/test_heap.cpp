@@ -156,8 +156,8 @@ BOOST_AUTO_TEST_CASE(cycle_of_the_paper_law_allocates_nothing) {
 
 BOOST_AUTO_TEST_CASE(cycle_with_absolute_footholds_and_held_torque_allocates_nothing) {
   WalkSettings s;
-  s.footsteps = Footsteps::kAbsolute;
-  s.control_dt = 0.004;
+  s.steps.mode = Footsteps::kAbsolute;
+  s.control.dt = 0.004;
   stays_off_the_heap(walk(2.0, s));
 }
 
@@ -172,7 +172,7 @@ BOOST_AUTO_TEST_CASE(cycle_that_cuts_a_torque_allocates_nothing) {
 
 BOOST_AUTO_TEST_CASE(cycle_with_tasks_that_come_and_go_and_a_known_force_allocates_nothing) {
   WalkSettings s;
-  s.momentum_arms = 1.0;
+  s.arms.momentum = 1.0;
   WalkingController controller(mahru(), describe(mahru()), s);
   const MjDataPtr d = make_data(mahru());
   controller.robot().description().place(mahru(), d.get());
@@ -198,7 +198,7 @@ BOOST_AUTO_TEST_CASE(cycle_with_tasks_that_come_and_go_and_a_known_force_allocat
 
 BOOST_AUTO_TEST_CASE(cycle_that_moves_waist_trunk_and_arms_allocates_nothing) {
   WalkSettings s;
-  s.momentum_arms = 1.0;
+  s.arms.momentum = 1.0;
   const RowMatX q = (RowMatX(2, 3) << 0, 0, -0.5, 0.3, 0.1, -1.0).finished();
   const JointMotion motion(Vec2(0, 0.7), {"waist_yaw", "trunk_pitch", "l_elbow"}, q);
   stays_off_the_heap(walk(1.5, s, mahru(), Terms::kCompute, motion));

@@ -48,7 +48,7 @@ BOOST_AUTO_TEST_CASE(a_box_and_a_pendulum_in_the_scene_change_nothing) {
 }
 
 BOOST_AUTO_TEST_CASE(control_period_of_four_steps_holds_the_torque) {
-  WalkingController controller(mahru(), describe(mahru()), with([](WalkSettings& s) { s.control_dt = 0.004; }));
+  WalkingController controller(mahru(), describe(mahru()), with([](WalkSettings& s) { s.control.dt = 0.004; }));
   const MjDataPtr d = make_data(mahru());
   controller.robot().description().place(mahru(), d.get());
   controller.reset(d.get());
@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(a_state_with_nan_is_refused_and_changes_nothing) {
 }
 
 BOOST_AUTO_TEST_CASE(without_wrench_distribution_the_paper_law_falls_and_says_when_and_why) {
-  const Walk walk(3.0, with([](WalkSettings& s) { s.wrench_distribution = false; }, "paper"));
+  const Walk walk(3.0, with([](WalkSettings& s) { s.contact.wrench_distribution = false; }, "paper"));
   BOOST_CHECK(walk.result.fell != Fall::kNone);
   BOOST_CHECK_LT(walk.result.fall_time, 1.5);
   BOOST_CHECK(!to_string(walk.result.fell).empty());
@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(every_end_of_a_walk_has_its_time_and_cause_and_keeps_the_re
   const auto ends = [&](const std::function<void(mjData*)>& disturb, const std::vector<Fall>& causes, double longest) {
     WalkSettings s;
     if (causes.front() == Fall::kNoContact)
-      s.fall_height = 1e-3, s.fall_tilt = s.fall_foot_tilt = 4.0;  // nothing else may end it
+      s.fall.height = 1e-3, s.fall.tilt = s.fall.foot_tilt = 4.0;  // nothing else may end it
     WalkingController controller(mahru(), describe(mahru()), s);
     Simulation simulation(controller);
     Recorder recorder(controller);

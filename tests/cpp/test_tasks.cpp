@@ -422,7 +422,7 @@ BOOST_AUTO_TEST_CASE(tasks_refuse_what_they_cannot_use) {
   const auto none = hand("r_hand");
   none->weight = 0.0;
   CHECK_THROWS(controller.add(none), InputError, "weight is 0");
-  WalkingController textbook(mahru(), describe(mahru()), with([](WalkSettings& s) { s.textbook = true; }));
+  WalkingController textbook(mahru(), describe(mahru()), with([](WalkSettings& s) { s.control.textbook = true; }));
   CHECK_THROWS(textbook.add(hand("l_hand")), InputError, "tasks need the direct path");
 }
 
@@ -599,7 +599,7 @@ BOOST_AUTO_TEST_CASE(adding_and_removing_a_task_bends_the_torque_no_more_than_th
 
 BOOST_AUTO_TEST_CASE(a_known_force_at_a_hand_leaves_the_estimate_as_true_as_without_it) {
   const auto errors = [](const Vec3& force, bool told) {
-    Carried walk(ramp(0.0, 1.0), with([](WalkSettings& s) { s.stand = false; }));
+    Carried walk(ramp(0.0, 1.0), with([](WalkSettings& s) { s.gait.stand = false; }));
     const int body = mj_name2id(mahru(), mjOBJ_BODY, "l_hand"), frame = walk.controller.watch("l_hand");
     std::array<std::vector<double>, 2> out;
     Vec6 w = Vec6::Zero();

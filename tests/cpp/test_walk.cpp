@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(estimate_stays_inside_its_bounds_to_the_threshold_in_single
   const VecX single = walk.column("phase");
   for (int i = 0; i < 2; ++i) {
     const VecX beyond = (lower.col(i) - est.col(i)).cwiseMax(est.col(i) - upper.col(i));
-    BOOST_CHECK_LE((single.array() > 0).select(beyond, -1.0).maxCoeff(), walk.controller.settings().zmp_threshold);
+    BOOST_CHECK_LE((single.array() > 0).select(beyond, -1.0).maxCoeff(), walk.controller.settings().zmp.threshold);
   }
 }
 
@@ -105,7 +105,7 @@ BOOST_AUTO_TEST_CASE(estimate_is_the_desired_zmp_wherever_the_reference_was_foun
   CHECK_NEAR(exact, RowMatX::Zero(10000, 2), 1e-9);  // closed form
   BOOST_CHECK_GT(default_walk().column("zmp_modified").cwiseAbs().sum(), 500.0);
   const RowMatX loop = paper_walk().column("zmp_est") - paper_walk().column("zmp_des");
-  CHECK_NEAR(loop, RowMatX::Zero(10000, 2), paper_walk().controller.settings().zmp_threshold);
+  CHECK_NEAR(loop, RowMatX::Zero(10000, 2), paper_walk().controller.settings().zmp.threshold);
 }
 
 BOOST_AUTO_TEST_CASE(loop_of_a_walk_takes_as_many_passes_as_its_slope_says) {
@@ -117,13 +117,13 @@ BOOST_AUTO_TEST_CASE(loop_of_a_walk_takes_as_many_passes_as_its_slope_says) {
     if (passes(k, 0) == 0.0) continue;
     const double e_0 = std::abs(des(k, 0) - first(k, 0)), rate = std::log(std::abs(1.0 - slope(k, 0)));
     const double expected =
-        1.0 + std::max(0.0, std::ceil(std::log(walk.controller.settings().zmp_threshold / e_0) / rate));
+        1.0 + std::max(0.0, std::ceil(std::log(walk.controller.settings().zmp.threshold / e_0) / rate));
     BOOST_REQUIRE_LE(std::abs(passes(k, 0) - expected), 1.0);
   }
 }
 
 BOOST_AUTO_TEST_CASE(textbook_equations_walk_the_same_walk) {
-  const Walk direct(1.2), textbook(1.2, with([](WalkSettings& s) { s.textbook = true; }));
+  const Walk direct(1.2), textbook(1.2, with([](WalkSettings& s) { s.control.textbook = true; }));
   CHECK_NEAR(direct.column("com"), textbook.column("com"), 1e-6);
   CHECK_NEAR(direct.column("zmp_est"), textbook.column("zmp_est"), 1e-4);
 }

@@ -29,7 +29,7 @@ struct Walk {
     throw std::runtime_error("no column " + name);
   }
   /// The first row at or after time `t`.
-  long row(double t) const { return std::lround(t / controller.settings().control_dt); }
+  long row(double t) const { return std::lround(t / controller.settings().control.dt); }
   double com_x(double t) const { return column("com")(row(t), 0); }
 
   WalkingController controller;

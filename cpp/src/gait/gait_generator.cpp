@@ -15,7 +15,7 @@ std::array<Foothold, 2> feet_of(const GaitInput& in) {
   return {foothold_of(in.p_sole[kLeft], in.R_sole[kLeft]), foothold_of(in.p_sole[kRight], in.R_sole[kRight])};
 }
 
-Side first_swing(const WalkSettings& settings) { return settings.first_swing == "left" ? kLeft : kRight; }
+Side first_swing(const WalkSettings& settings) { return settings.gait.first_swing; }
 
 }  // namespace
 
@@ -36,19 +36,21 @@ Vec2 reference_zmp(const GaitOutput& gait, const LinearInvertedPendulum& pendulu
 GaitGenerator::GaitGenerator(const WalkSettings& settings, const VelocityProfile& profile, const SoleSize& sole,
                              const std::array<ZmpBounds, 2>& bounds)
     : settings_(settings),
-      cadence_{{settings.T_ds, settings.T_ss},
-               settings.cadence_speed,
-               settings.cadence_exponent,
-               settings.cadence_double,
-               {1.0, settings.cadence_sideways, settings.cadence_turning}},
-      limits_{{settings.forward_jump, settings.sideways_jump, settings.turning_jump},
-              {settings.forward_acceleration, settings.sideways_acceleration, settings.turning_acceleration},
-              {settings.forward_deceleration, settings.sideways_acceleration, settings.turning_acceleration}},
-      profile_(settings.rate_limit ? profile.limited(limits_) : profile),
+      cadence_{{settings.gait.T_ds, settings.gait.T_ss},
+               settings.gait.cadence_speed,
+               settings.gait.cadence_exponent,
+               settings.gait.cadence_double,
+               {1.0, settings.gait.cadence_sideways, settings.gait.cadence_turning}},
+      limits_{
+          {settings.rate.forward_jump, settings.rate.sideways_jump, settings.rate.turning_jump},
+          {settings.rate.forward_acceleration, settings.rate.sideways_acceleration, settings.rate.turning_acceleration},
+          {settings.rate.forward_deceleration, settings.rate.sideways_acceleration,
+           settings.rate.turning_acceleration}},
+      profile_(settings.rate.limit ? profile.limited(limits_) : profile),
       plan_(profile_),
-      schedule_(settings.T_ds_first, settings.T_ds, settings.T_ss),
+      schedule_(settings.gait.T_ds_first, settings.gait.T_ds, settings.gait.T_ss),
       footsteps_(settings, plan_, sole),
-      lateral_(settings.lateral_feedback, settings.lateral_reach * 0.5 * sole.width),
+      lateral_(settings.zmp.lateral_feedback, settings.zmp.lateral_shift * 0.5 * sole.width),
       pendulum_(1.0, 1.0),
       bounds_(bounds) {
   plan_.reserve();
@@ -68,7 +70,7 @@ void GaitGenerator::reset(const GaitInput& start, const LinearInvertedPendulum& 
   footsteps_.reset(feet, out_.heading);
   out_.swing = out_.support = first_swing(settings_);
   lateral_.reset(out_.support);
-  schedule_.begin(0, 0.0, settings_.T_ds_first, cadence_.slow);
+  schedule_.begin(0, 0.0, settings_.gait.T_ds_first, cadence_.slow);
   out_.at_rest = true;  // until the first cycle finds that the plan moves
   out_.origin = start.p_sole[out_.support].head<2>();
   out_.yaw = yaw_of(start.R_sole[out_.support]);
@@ -106,7 +108,7 @@ void GaitGenerator::begin_walk(const GaitInput& in) {
   lateral_.reset(out_.swing);
   footsteps_.restart(feet_of(in));
   const bool slow = times.period() == cadence_.slow.period();
-  const double T_ds = slow ? settings_.T_ds_first : pendulum_.first_double_support(times.period(), times.T_ss);
+  const double T_ds = slow ? settings_.gait.T_ds_first : pendulum_.first_double_support(times.period(), times.T_ss);
   schedule_.begin(out_.phase.step, in.t, T_ds, times);
 }
 
@@ -120,7 +122,8 @@ bool GaitGenerator::begin_phase(const GaitInput& in) {
   bool began = false;
   if (out_.at_rest) {
     // The first step lifts when the plan moves, and half of its double support has gone by.
-    if (settings_.stand && plan_.at_rest(in.t, in.t + 0.5 * settings_.T_ds_first) && can_stand(in)) return false;
+    if (settings_.gait.stand && plan_.at_rest(in.t, in.t + 0.5 * settings_.gait.T_ds_first) && can_stand(in))
+      return false;
     begin_walk(in);
     began = true;
   } else if (schedule_.landed(in.t)) {
@@ -145,9 +148,10 @@ const GaitOutput& GaitGenerator::update(const GaitInput& in) {
   if (out_.phase.phase == Phase::kDoubleSupport) return out_;
   if (lifted_) {
     const double z_land = std::isnan(in.ground) ? in.p_sole[other(out_.swing)].z() : in.ground;
-    swing_foot_.begin(in.p_sole[out_.swing], in.R_sole[out_.swing], out_.phase.duration, z_land, settings_.step_height);
+    swing_foot_.begin(in.p_sole[out_.swing], in.R_sole[out_.swing], out_.phase.duration, z_land,
+                      settings_.swing.height);
   }
-  out_.swing_target = swing_foot_.update(out_.phase.time, settings_.control_dt, out_.foothold);
+  out_.swing_target = swing_foot_.update(out_.phase.time, settings_.control.dt, out_.foothold);
   return out_;
 }
 
@@ -164,7 +168,7 @@ const GaitOutput& GaitGenerator::update_steps(const GaitInput& in) {
   lifted_ = false;
   out_.stretch = 0.0;
   if (out_.at_rest) {
-    const double since = began ? 0.0 : out_.phase.time + settings_.control_dt;
+    const double since = began ? 0.0 : out_.phase.time + settings_.control.dt;
     out_.phase = {Phase::kDoubleSupport, out_.phase.step, since, since, kNaN, kNaN};
   } else {
     const bool was_single = out_.phase.phase == Phase::kSingleSupport && !began;
@@ -185,7 +189,7 @@ const GaitOutput& GaitGenerator::update_steps(const GaitInput& in) {
     // The ZMP leads the DCM back to the middle between the feet.
     const Vec2 middle = 0.5 * (in.p_sole[kLeft] + in.p_sole[kRight]).head<2>();
     const Vec2 xi = in.com + pendulum_.Tc() * in.dcom;
-    out_.zmp_rest = xi + settings_.stand_gain * (xi - middle);
+    out_.zmp_rest = xi + settings_.gait.stand_gain * (xi - middle);
     out_.orbit_ahead = out_.dv_capture = 0.0;
   } else {
     move_ahead(in);
@@ -197,7 +201,7 @@ const GaitOutput& GaitGenerator::update_steps(const GaitInput& in) {
 
 ZmpBounds GaitGenerator::sole_room(const Vec3& velocity) const {
   ZmpBounds out = bounds_[out_.support];
-  const double share = std::pow(cadence_.pace(velocity), settings_.sole_exponent);
+  const double share = std::pow(cadence_.pace(velocity), settings_.zmp.sole_exponent);
   out.lower.x() *= share;
   out.upper.x() *= share;
   return out;
@@ -209,14 +213,14 @@ void GaitGenerator::move_ahead(const GaitInput& in) {
   const double since_middle =
       before_switch ? half - 0.5 * out_.phase.duration + out_.phase.time : -out_.phase.to_mid_single;
   out_.orbit = orbit(out_.v_plan, period);
-  out_.orbit_middle = settings_.com_lead;
+  out_.orbit_middle = settings_.com.lead;
   out_.orbit_ahead = out_.orbit.ahead(std::clamp(since_middle, -half, half));
   capture(in, before_switch);
 }
 
 ForwardOrbit GaitGenerator::orbit(const Vec3& velocity, double period, bool end) const {
   const ZmpBounds sole = sole_room(velocity);
-  const double middle = settings_.com_lead, ahead = sole.upper.x() - middle, behind = middle - sole.lower.x();
+  const double middle = settings_.com.lead, ahead = sole.upper.x() - middle, behind = middle - sole.lower.x();
   return {pendulum_, velocity.x(), period, end ? (velocity.x() < 0.0 ? behind : ahead) : std::max(ahead, behind)};
 }
 
@@ -229,36 +233,36 @@ ZmpBounds GaitGenerator::room(const GaitInput& in) const {
 
 void GaitGenerator::capture(const GaitInput& in, bool before_switch) {
   // The next foot to take over: the one that swings, or one that has landed.
-  const double dt = settings_.control_dt, period = before_switch ? schedule_.times().period() : period_;
+  const double dt = settings_.control.dt, period = before_switch ? schedule_.times().period() : period_;
   const double time =
       before_switch ? std::max(0.5 * out_.phase.duration - out_.phase.time, dt) : out_.phase.to_mid_double;
   const double t_mid = in.t + time, slope = time + pendulum_.Tc(),
                length = plan_.displacement(t_mid, t_mid + period).x();
   v_start_ = orbit({length / period, 0.0, 0.0}, period, true).end_velocity();
-  xi_start_ = settings_.com_lead - 0.5 * length + pendulum_.Tc() * v_start_;
+  xi_start_ = settings_.com.lead - 0.5 * length + pendulum_.Tc() * v_start_;
   const PendulumState next = roll_out(in, time);
   xi_next_ = pendulum_.dcm(next);
   v_next_ = next.v;
-  if (settings_.footsteps != Footsteps::kTied) return;
+  if (settings_.steps.mode != Footsteps::kTied) return;
   // One step of Newton's a cycle: a COM faster by dv is dv time further then, and its DCM dv (time + T_c).
   const bool decided = out_.phase.phase == Phase::kSingleSupport &&
-                       (closing_ || out_.phase.time > settings_.foothold_freeze * out_.phase.duration);
+                       (closing_ || out_.phase.time > settings_.steps.freeze * out_.phase.duration);
   const Vec2 ahead = ahead_of(out_.heading);
   const double foot = before_switch ? (in.p_sole[other(out_.support)].head<2>() - out_.origin).dot(ahead)
                       : decided     ? (footsteps_.target().p - out_.origin).dot(ahead)
                                     : footsteps_.lead(out_.phase.step, t_mid, period);
-  const double planned = foot + xi_start_, reach = settings_.capture_reach;
+  const double planned = foot + xi_start_, reach = settings_.steps.capture_distance;
   const double alone = xi_next_ - slope * out_.dv_capture;
   const double dv = out_.dv_capture + (std::clamp(alone, planned - reach, planned + reach) - xi_next_) / slope;
-  out_.dv_capture = std::clamp(dv, -settings_.capture_speed, settings_.capture_speed);
+  out_.dv_capture = std::clamp(dv, -settings_.steps.capture_speed, settings_.steps.capture_speed);
 }
 
 double GaitGenerator::ahead_of_plan(const GaitInput& in) const {
   const double t_mid = in.t + out_.phase.to_mid_double;
   const double planned = (in.com - out_.origin).dot(ahead_of(out_.heading)) + plan_.displacement(in.t, t_mid).x() +
-                         0.5 * plan_.displacement(t_mid, t_mid + period_).x() - settings_.com_lead;
+                         0.5 * plan_.displacement(t_mid, t_mid + period_).x() - settings_.com.lead;
   // An excess speed, up to this, is left to the ZMP over that foot: taken up by the foothold, a long step would make the next one short.
-  const double excess = pendulum_.Tc() * (v_next_ - v_start_), give = settings_.foothold_give;
+  const double excess = pendulum_.Tc() * (v_next_ - v_start_), give = settings_.steps.give;
   return xi_next_ - xi_start_ - planned - std::clamp(excess, give * out_.room.lower.x(), give * out_.room.upper.x());
 }
 
@@ -266,7 +270,7 @@ PendulumState GaitGenerator::roll_out(const GaitInput& in, double time) const {
   // The pendulum (16) under the smooth tracker, its ZMP inside the bounds of the stance sole; by its DCM and its mirror image x - T_c v.
   constexpr int kPieces = 16;
   const double Tc = pendulum_.Tc(), dt = time / kPieces, grow = std::exp(dt / Tc);
-  const double catch_up = -std::expm1(-dt / settings_.tracker_time) / dt;
+  const double catch_up = -std::expm1(-dt / settings_.tracking.time) / dt;
   const Vec2 ahead = ahead_of(out_.heading);
   const PendulumState now{(in.com - out_.origin).dot(ahead), in.dcom.dot(ahead)};
   double xi = now.x + Tc * now.v, mirror = now.x - Tc * now.v;
@@ -298,7 +302,7 @@ double GaitGenerator::stretch(const GaitInput& in) const {
 
 void GaitGenerator::move_sideways(const GaitInput& in) {
   const bool single = out_.phase.phase == Phase::kSingleSupport;
-  const double dt = settings_.control_dt, time = out_.phase.to_mid_double, t_mid = in.t + time;
+  const double dt = settings_.control.dt, time = out_.phase.to_mid_double, t_mid = in.t + time;
   const Side stance = other(out_.swing), to = other(out_.support);
   const Vec2 left = left_of(out_.heading);
   const auto across = [&](const Vec2& p) { return (p - out_.origin).dot(left); };
@@ -315,7 +319,7 @@ void GaitGenerator::move_sideways(const GaitInput& in) {
     const Foothold foot = foothold_of(in.p_sole[stance], in.R_sole[stance]);
     if (lifted_) {
       footsteps_.begin_step(out_.phase.step, out_.swing, foot, t_mid, period_);
-      closing_ = settings_.stand && plan_.at_rest(in.t, schedule_.touch_down() + schedule_.times().T_ds) &&
+      closing_ = settings_.gait.stand && plan_.at_rest(in.t, schedule_.touch_down() + schedule_.times().T_ds) &&
                  footsteps_.close(out_.swing, foot, xi_next_);
     }
     const double aside = lateral_.miss(pendulum_, xi, xi_end(footsteps_.planned(out_.swing, t_mid, period_).p), time);

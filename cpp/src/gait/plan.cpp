@@ -12,7 +12,7 @@ WalkPlan plan_walk(const WalkSettings& given, const VelocityProfile& profile, co
                    const std::array<ZmpBounds, 2>& bounds, const SoleSize& sole, const GaitInput& start,
                    double duration) {
   require_positive("duration", duration);
-  const double dt = given.control_dt;
+  const double dt = given.control.dt;
   const auto count = static_cast<std::size_t>(std::ceil(duration / dt - 1e-9));
   WalkPlan plan;
   plan.t.reserve(count);
@@ -21,10 +21,10 @@ WalkPlan plan_walk(const WalkSettings& given, const VelocityProfile& profile, co
   plan.zmp.reserve(count);
   plan.support.reserve(count);
   WalkSettings settings = given;
-  settings.lateral_feedback = true;
+  settings.zmp.lateral_feedback = true;
   GaitGenerator gait(settings, profile, sole, bounds);
-  VelocityTracker tracker(TrackerLaw::kSmooth, settings.tracker_gain, settings.tracker_time, settings.tracker_deadband,
-                          settings.tracker_reach);
+  VelocityTracker tracker(TrackerLaw::kSmooth, settings.tracking.gain, settings.tracking.time,
+                          settings.tracking.deadband, settings.tracking.catch_up_speed);
   GaitInput in = start;
   gait.reset(in, pendulum);
   bool swinging = false;

@@ -1,4 +1,4 @@
-#include "zmpwalk/walk/cycle_output.hpp"
+#include "zmpwalk/walk/record.hpp"
 
 namespace zmpwalk {
 

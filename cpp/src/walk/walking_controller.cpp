@@ -65,7 +65,8 @@ ZmpBounds bounds_of(const Robot& robot, Side side, const WalkSettings& settings)
   const int roll = leg[4] == pitch ? leg[5] : leg[4];
   const SoleLimits limits{foot.length, foot.width, ankle.head<2>(), robot.torque_limit()[pitch],
                           robot.torque_limit()[roll]};
-  return zmp_bounds(limits, dyn.mass * dyn.gravity.norm(), settings.sole_fraction, settings.ankle_torque_fraction);
+  return zmp_bounds(limits, dyn.mass * dyn.gravity.norm(), settings.zmp.sole_fraction,
+                    settings.zmp.ankle_torque_fraction);
 }
 
 constexpr std::array<const char*, 3> kTrunkNames{"trunk_roll", "trunk_pitch", "trunk_yaw"};
@@ -74,7 +75,7 @@ constexpr std::array<const char*, 3> kTrunkNames{"trunk_roll", "trunk_pitch", "t
 
 WalkingController::WalkingController(const mjModel* model, const RobotDescription& description,
                                      const WalkSettings& settings, const VelocityProfile& profile)
-    : robot_(model, with_limits(description, settings.torque_limits)),
+    : robot_(model, with_limits(description, settings.control.torque_limits)),
       reference_((VecX(robot_.joints() + 3) << robot_.stand(), Vec3::Zero()).finished()),
       profile_(profile),
       com_height_(stand_height(robot_.dynamics())),
@@ -83,17 +84,17 @@ WalkingController::WalkingController(const mjModel* model, const RobotDescriptio
       pendulum_(com_height_, robot_.dynamics().gravity.norm()),
       bounds_{bounds_of(robot_, kLeft, settings_), bounds_of(robot_, kRight, settings_)},
       gait_(settings_, profile_, sole_, bounds_),
-      tracker_(settings_.tracker, settings_.tracker_gain, settings_.tracker_time, settings_.tracker_deadband,
-               settings_.tracker_reach),
+      tracker_(settings_.tracking.law, settings_.tracking.gain, settings_.tracking.time, settings_.tracking.deadband,
+               settings_.tracking.catch_up_speed),
       whole_body_(robot_.nv(), robot_.leg_joints(),
-                  {settings_.textbook, settings_.posture_task, settings_.wrench_distribution,
-                   settings_.load_alone * 0.5 * sole_.width, settings_.contact_damping, settings_.singular_damping,
-                   settings_.singular_pivot, settings_.kernel}),
+                  {settings_.control.textbook, settings_.posture.task, settings_.contact.wrench_distribution,
+                   settings_.contact.load_alone * 0.5 * sole_.width, settings_.contact.damping,
+                   settings_.control.singular_damping, settings_.control.singular_pivot, settings_.control.kernel}),
       estimator_(robot_.nv()),
       hip_turn_(robot_.hip_turn()),
       R_HB_(Mat3::Identity()),
-      kp_(settings_.com_x_kp, settings_.com_y_kp),
-      kd_(settings_.com_x_kd, settings_.com_y_kd),
+      kp_(settings_.com.kp_x, settings_.com.kp_y),
+      kd_(settings_.com.kd_x, settings_.com.kd_y),
       R_S_(Mat2::Identity()),
       R_H_(Mat2::Identity()),
       swinging_(robot_.arm_joints()),
@@ -103,12 +104,12 @@ WalkingController::WalkingController(const mjModel* model, const RobotDescriptio
       drift_c_(VecX::Zero(12)) {
   if (model->opt.disableflags & (mjDSBL_CONTACT | mjDSBL_CONSTRAINT))
     throw ModelError("the model's option flags switch contacts off; walking needs them");
-  if (settings_.momentum_arms > 0.0 && (swinging_.empty() || !settings_.posture_task))
-    throw InputError("momentum_arms = " + std::to_string(settings_.momentum_arms) +
+  if (settings_.arms.momentum > 0.0 && (swinging_.empty() || !settings_.posture.task))
+    throw InputError("momentum_arms = " + std::to_string(settings_.arms.momentum) +
                      " needs the posture task and joints outside the legs that carry less than a fifth of the robot; 0 "
                      "does without");
-  robot_.friction_velocity = settings_.friction_velocity;
-  ticks_per_cycle_ = static_cast<int>(std::lround(settings_.control_dt / model->opt.timestep));
+  robot_.friction_velocity = settings_.control.friction_velocity;
+  ticks_per_cycle_ = static_cast<int>(std::lround(settings_.control.dt / model->opt.timestep));
   f_star_.posture = VecX::Zero(robot_.joints());
   out_.tau = VecX::Zero(robot_.joints());
   for (auto& pose : out_.foot) pose.setZero();
@@ -132,7 +133,7 @@ GaitInput WalkingController::gait_input(double t, const Vec2& com, const Vec2& d
 
 WalkPlan WalkingController::plan(double duration, double dt) const {
   WalkSettings settings = settings_;
-  settings.control_dt = dt;
+  settings.control.dt = dt;
   require_positive("dt", dt);
   return plan_walk(settings, profile_, pendulum_, bounds_, sole_, start_, duration);
 }
@@ -141,8 +142,8 @@ double WalkingController::reach(double crouch) const {
   double least = std::numeric_limits<double>::infinity();
   for (const Side side : kSides) {
     const RobotLeg leg = robot_.leg_at_stand(side);
-    const double length_2 =
-        leg.thigh * leg.thigh + leg.shank * leg.shank + 2.0 * leg.thigh * leg.shank * std::cos(settings_.least_knee);
+    const double length_2 = leg.thigh * leg.thigh + leg.shank * leg.shank +
+                            2.0 * leg.thigh * leg.shank * std::cos(settings_.com.least_knee);
     const double height = std::abs(leg.hip_to_ankle.y()) - crouch;
     least = std::min(least, std::sqrt(std::max(length_2 - height * height, 0.0)) - std::abs(leg.hip_to_ankle.x()));
   }
@@ -158,13 +159,13 @@ double WalkingController::stride(const Vec3& velocity) const {
 double WalkingController::reach_share(const Vec3& velocity) const {
   const StepTimes times = gait_.cadence().times(velocity);
   const double turn = 0.5 * (times.period() + times.T_ds) * velocity.z();
-  return std::max(stride(velocity) / reach(settings_.crouch_limit), std::abs(turn) / hip_turn_);
+  return std::max(stride(velocity) / reach(settings_.com.crouch_limit), std::abs(turn) / hip_turn_);
 }
 
 double WalkingController::crouch_for(double stride) const {
-  const double wanted = settings_.crouch_margin * stride;
+  const double wanted = settings_.com.crouch_margin * stride;
   if (wanted <= reach(0.0)) return 0.0;
-  double less = 0.0, enough = settings_.crouch_limit;
+  double less = 0.0, enough = settings_.com.crouch_limit;
   for (int i = 0; i < 12; ++i) {
     const double middle = 0.5 * (less + enough);
     (reach(middle) >= wanted ? enough : less) = middle;
@@ -174,16 +175,16 @@ double WalkingController::crouch_for(double stride) const {
 
 void WalkingController::set_height(double crouch) {
   pendulum_ = LinearInvertedPendulum(com_height_ - crouch, robot_.dynamics().gravity.norm());
-  const double dt = settings_.control_dt, Tc = pendulum_.Tc();
+  const double dt = settings_.control.dt, Tc = pendulum_.Tc();
   for (int i = 0; i < 2; ++i)
-    df_dr_[i] = (settings_.feed_forward ? -1.0 / (Tc * Tc) : 0.0) -
+    df_dr_[i] = (settings_.com.feed_forward ? -1.0 / (Tc * Tc) : 0.0) -
                 pd_acceleration(kp_[i], kd_[i], std::cosh(dt / Tc) - 1.0, std::sinh(dt / Tc) / Tc);
 }
 
 void WalkingController::move_height(double t, double stretch) {
   // Ahead of the speed by a step, or for where the feet are to stand; critically damped.
   const VelocityProfile& plan = gait_.plan();
-  const double ahead = gait_.cadence().slow.period(), rate = 1.0 / settings_.crouch_time, dt = settings_.control_dt;
+  const double ahead = gait_.cadence().slow.period(), rate = 1.0 / settings_.com.crouch_time, dt = settings_.control.dt;
   const double wanted = crouch_for(std::max({stride(plan.velocity(t)), stride(plan.velocity(t + ahead)), stretch}));
   if (wanted == 0.0 && crouch_ == 0.0) return;
   ddcrouch_ = rate * (rate * (wanted - crouch_) - 2.0 * dcrouch_);
@@ -211,7 +212,7 @@ void WalkingController::command(const Vec3& velocity) {
 }
 
 double WalkingController::knee_share(double speed) const {
-  return zmpwalk::knee_share(scale_of(robot_), settings_, settings_.step_height, speed);
+  return zmpwalk::knee_share(scale_of(robot_), settings_, settings_.swing.height, speed);
 }
 
 void WalkingController::check_profile() const {
@@ -243,12 +244,12 @@ void WalkingController::check_profile() const {
 double WalkingController::start_excursion(double scale) const {
   // The pendulum under the smooth tracker, its ZMP held inside the bounds of the foot that carries it, up to the second lift-off.
   const VelocityProfile& plan = gait_.plan();
-  const double dt = settings_.control_dt, period = settings_.T_ds + settings_.T_ss;
-  const double t_end = settings_.T_ds_first + period, t_switch = t_end - 0.5 * settings_.T_ds;
+  const double dt = settings_.control.dt, period = settings_.gait.T_ds + settings_.gait.T_ss;
+  const double t_end = settings_.gait.T_ds_first + period, t_switch = t_end - 0.5 * settings_.gait.T_ds;
   const double foothold =
       scale * (plan.displacement(0.0, t_switch) + 0.5 * plan.displacement(t_switch, t_switch + period)).x();
-  VelocityTracker tracker(TrackerLaw::kSmooth, settings_.tracker_gain, settings_.tracker_time,
-                          settings_.tracker_deadband);
+  VelocityTracker tracker(TrackerLaw::kSmooth, settings_.tracking.gain, settings_.tracking.time,
+                          settings_.tracking.deadband);
   const Dynamics& dyn = robot_.dynamics();
   const Vec3 middle = 0.5 * (dyn.sole[kLeft].p_WF + dyn.sole[kRight].p_WF);
   const double x_0 = (dyn.com - middle).head<2>().norm();
@@ -318,12 +319,12 @@ int WalkingController::coordinate(const std::string& name) const {
 }
 
 void WalkingController::move(const JointMotion& motion) {
-  if (!settings_.posture_task && !motion.names().empty())
+  if (!settings_.posture.task && !motion.names().empty())
     throw InputError("posture_task is off: nothing would follow a motion");
   std::vector<int> entry;
   for (const std::string& name : motion.names()) {
     const int i = coordinate(name);
-    const double tilt = 0.5 * settings_.fall_tilt;
+    const double tilt = 0.5 * settings_.fall.tilt;
     const auto [low, high] = i < robot_.joints() ? robot_.joint_range(i) : std::make_pair(-tilt, tilt);
     const JointMotion::Extent extent = motion.extent(static_cast<int>(entry.size()));
     const bool below = extent.low < low;
@@ -334,7 +335,7 @@ void WalkingController::move(const JointMotion& motion) {
                        " rad, between the knots of the spline too");
     entry.push_back(i);
   }
-  reference_.start(motion, std::move(entry), settings_.motion_blend);
+  reference_.start(motion, std::move(entry), settings_.posture.motion_blend);
   swinging_.clear();
   for (const int j : robot_.arm_joints())
     if (!reference_.names(j)) swinging_.push_back(j);
@@ -343,12 +344,12 @@ void WalkingController::move(const JointMotion& motion) {
 void WalkingController::add(const std::shared_ptr<Task>& task, double blend) {
   NamesOfRobot names(robot_);
   task->attach(names);
-  added_.add(task, robot_.nv(), std::isnan(blend) ? settings_.motion_blend : blend);
+  added_.add(task, robot_.nv(), std::isnan(blend) ? settings_.posture.motion_blend : blend);
   whole_body_.reserve(added_);
 }
 
 void WalkingController::remove(const Task& task, double blend) {
-  added_.remove(task, std::isnan(blend) ? settings_.motion_blend : blend);
+  added_.remove(task, std::isnan(blend) ? settings_.posture.motion_blend : blend);
   whole_body_.reserve(added_);
 }
 
@@ -380,7 +381,7 @@ const CycleOutput& WalkingController::update(mjData* data, Terms terms) {
   robot_.apply_external(external_);
   const Dynamics& dyn = robot_.dynamics();
   const double t = data->time - t_start_;
-  const bool measured = settings_.com_state == ComState::kMeasured;
+  const bool measured = settings_.com.state == ComState::kMeasured;
   shift_ = forced_pendulum(dyn, ground_).shift;
 
   const GaitInput in = gait_input(t, Vec2((measured ? Vec2(dyn.com.head<2>()) : com_des_) + shift_),
@@ -419,7 +420,7 @@ const CycleOutput& WalkingController::update(mjData* data, Terms terms) {
   stance_.standing = gait.standing;
   stance_.support = gait.support;
   stance_.lateral << -std::sin(gait.heading), std::cos(gait.heading), 0.0;
-  if (settings_.momentum_arms > 0.0) swing_arms(gait);
+  if (settings_.arms.momentum > 0.0) swing_arms(gait);
   whole_body_.prepare(dyn, stance_, f_star_, &added_);
   choose_reference(gait);
   whole_body_.solve(f_xy_, result_);
@@ -435,7 +436,7 @@ void WalkingController::task_accelerations(const GaitOutput& gait) {
   const Dynamics& dyn = robot_.dynamics();
   const WalkSettings& s = settings_;
   f_star_.com.z() =
-      pd_acceleration(s.com_z_kp, s.com_z_kd, ground_ + com_height_ - crouch_ - dyn.com.z(), -dcrouch_ - dyn.dcom.z()) -
+      pd_acceleration(s.com.kp_z, s.com.kd_z, ground_ + com_height_ - crouch_ - dyn.com.z(), -dcrouch_ - dyn.dcom.z()) -
       ddcrouch_;
   const int n = dyn.joints();
   const auto& [q_ref, dq_ref, ddq_ref] = std::tie(reference_.q(), reference_.dq(), reference_.ddq());
@@ -444,19 +445,19 @@ void WalkingController::task_accelerations(const GaitOutput& gait) {
   const Mat3 R_WH = rotation_z(gait.heading);
   const Vec3 heading_rate(0.0, 0.0, gait.v_plan.z());
   f_star_.trunk = R_WH * trunk.alpha + heading_rate.cross(R_WH * trunk.omega);
-  f_star_.trunk += pd_acceleration(s.trunk_kp, s.trunk_kd, orientation_error(R_WH * trunk.R * R_HB_, dyn.R_WB),
+  f_star_.trunk += pd_acceleration(s.trunk.kp, s.trunk.kd, orientation_error(R_WH * trunk.R * R_HB_, dyn.R_WB),
                                    Vec3(R_WH * trunk.omega + heading_rate - dyn.omega_WB));
   f_star_.posture = ddq_ref.head(n);
   f_star_.posture +=
-      pd_acceleration(s.posture_kp, s.posture_kd, q_ref.head(n) - dyn.q, dq_ref.head(n) - dyn.dq.tail(n));
+      pd_acceleration(s.posture.kp, s.posture.kd, q_ref.head(n) - dyn.q, dq_ref.head(n) - dyn.dq.tail(n));
   if (gait.phase.phase == Phase::kDoubleSupport) return;
   const FrameState& sole = dyn.sole[gait.swing];
   const SwingTarget& target = gait.swing_target;
   Vec6 error, rate;
   error << target.p - sole.p_WF, orientation_error(target.R, sole.R_WF);
   rate << target.v, target.omega;
-  f_star_.swing = pd_acceleration(s.swing_kp, s.swing_kd, error, Vec6(rate - sole.velocity));
-  if (s.swing_feed_forward) {
+  f_star_.swing = pd_acceleration(s.swing.kp, s.swing.kd, error, Vec6(rate - sole.velocity));
+  if (s.swing.feed_forward) {
     f_star_.swing.head<3>() += target.a;
     f_star_.swing.tail<3>() += target.alpha;
   }
@@ -466,7 +467,7 @@ void WalkingController::swing_arms(const GaitOutput& gait) {
   // dL_z = c_a ddq_a + what the rest does while the arms keep their speed; the arms cancel the latter and bring L_z to zero
   // with k_d: ddq_a = -c_a+ dL_rest + k_d (-c_a+ L_rest - dq_a) + k_p (q_ref - q_a).
   const Dynamics& dyn = robot_.dynamics();
-  const double kp = settings_.momentum_kp, kd = settings_.momentum_kd;
+  const double kp = settings_.arms.kp, kd = settings_.arms.kd;
   for (const int j : swinging_) f_star_.posture[j] = 0.0;
   whole_body_.prepare(dyn, stance_, f_star_, &added_);
   momentum_row(dyn, Vec3::UnitZ(), c_.transpose());
@@ -477,7 +478,7 @@ void WalkingController::swing_arms(const GaitOutput& gait) {
     square += c_[6 + j] * c_[6 + j];
   }
   if (!(square > 0.0)) return;
-  const double dL_rest = whole_body_.yaw_moment(f_xy_), share = -settings_.momentum_arms / square;
+  const double dL_rest = whole_body_.yaw_moment(f_xy_), share = -settings_.arms.momentum / square;
   for (const int j : swinging_) {
     const double q = dyn.q[j], dq = dyn.dq[6 + j], c_inv = share * c_[6 + j];
     const double ddq = reference_.ddq()[j] + c_inv * dL_rest +
@@ -490,30 +491,30 @@ void WalkingController::swing_arms(const GaitOutput& gait) {
 
 WalkingController::Desired WalkingController::desired(const Vec2& r) const {
   Desired c;
-  const double dt = settings_.control_dt;
+  const double dt = settings_.control.dt;
   for (int i = 0; i < 2; ++i) {
     const PendulumState next = pendulum_.step(dt, {x_[i], v_[i]}, r[i]);
     c.x_d[i] = next.x;
     c.v_d[i] = next.v;
-    c.f[i] = (settings_.feed_forward ? pendulum_.acceleration(x_[i], r[i]) : 0.0) +
+    c.f[i] = (settings_.com.feed_forward ? pendulum_.acceleration(x_[i], r[i]) : 0.0) +
              pd_acceleration(kp_[i], kd_[i], next.x - x_meas_[i], next.v - v_meas_[i]);
   }
   return c;
 }
 
 void WalkingController::choose_reference(const GaitOutput& gait) {
-  const double dt = settings_.control_dt;
+  const double dt = settings_.control.dt;
   const auto to_W = [&](const Vec2& p) { return Vec2(gait.origin + R_S_ * p); };
   const auto estimate_of = [&](const Vec2& f) {
     return Vec2(R_S_.transpose() * (whole_body_.zmp(R_S_ * f) - gait.origin));
   };
 
   // What velocity tracking alone asks for.
-  const bool smooth = tracker_.law() == TrackerLaw::kSmooth && settings_.zmp_modification;
+  const bool smooth = tracker_.law() == TrackerLaw::kSmooth && settings_.zmp.modification;
   const Vec2 com = gait.origin + R_S_ * x_, dcom = R_S_ * v_;
   Vec2 r = R_S_.transpose() * (reference_zmp(gait, pendulum_, tracker_, com, dcom) - gait.origin);
   // Without III-B nobody asks the whole body: the ZMP is where the pendulum has it.
-  const bool estimates = settings_.iteration != Iteration::kNone;
+  const bool estimates = settings_.zmp.iteration != Iteration::kNone;
   Desired c = desired(r);
   if (!smooth && !gait.at_rest) {  // the desired velocity is the planned one, which stands: nothing to feed forward
     const double v_plan = (R_S_.transpose() * R_H_ * gait.v_plan.head<2>()).x();
@@ -526,10 +527,10 @@ void WalkingController::choose_reference(const GaitOutput& gait) {
   Vec2 wanted = zmp;
 
   const ZmpBounds& bounds = gait.room;
-  if (settings_.zmp_modification) {
+  if (settings_.zmp.modification) {
     const Vec2 inside = bounds.clamp(zmp);
     wanted.x() = inside.x();
-    if (settings_.bound_lateral) wanted.y() = inside.y();
+    if (settings_.zmp.bound_lateral) wanted.y() = inside.y();
     if (tracker_.drive() == Drive::kLower) wanted.x() = bounds.lower.x();
     if (tracker_.drive() == Drive::kUpper) wanted.x() = bounds.upper.x();
   }
@@ -557,9 +558,9 @@ void WalkingController::choose_reference(const GaitOutput& gait) {
     const ReferenceResult found =
         !estimates
             ? ReferenceResult{Vec2(axes.cwiseProduct(wanted) + (Vec2::Ones() - axes).cwiseProduct(r)), first, 1, false}
-        : settings_.iteration == Iteration::kLoop
-            ? iterate_reference(estimate, wanted, r, axes, settings_.zmp_threshold, settings_.max_iterations)
-            : solve_reference(estimate, wanted, r, axes, slope, settings_.zmp_threshold);
+        : settings_.zmp.iteration == Iteration::kLoop
+            ? iterate_reference(estimate, wanted, r, axes, settings_.zmp.threshold, settings_.zmp.max_iterations)
+            : solve_reference(estimate, wanted, r, axes, slope, settings_.zmp.threshold);
     const Desired modified = desired(found.zmp_ref);
     for (int i = 0; i < 2; ++i) {
       if (axes[i] == 0.0) continue;
@@ -620,12 +621,12 @@ void WalkingController::check_fall(const GaitOutput& gait) {
   if (!out_.tau.allFinite()) {
     out_.fell = Fall::kNonFinite;
     out_.tau.setZero();
-  } else if (height < settings_.fall_height * com_height_) {
+  } else if (height < settings_.fall.height * com_height_) {
     out_.fell = Fall::kHeight;
-  } else if (tilt > settings_.fall_tilt) {
+  } else if (tilt > settings_.fall.tilt) {
     out_.fell = Fall::kTilt;
   } else if (gait.phase.phase == Phase::kSingleSupport &&
-             dyn.sole[gait.support].R_WF.col(2).dot(up_[gait.support]) < std::cos(settings_.fall_foot_tilt)) {
+             dyn.sole[gait.support].R_WF.col(2).dot(up_[gait.support]) < std::cos(settings_.fall.foot_tilt)) {
     out_.fell = Fall::kFootTipped;
   }
 }

@@ -5,7 +5,7 @@
 #include "zmpwalk/gait/schedule.hpp"
 #include "zmpwalk/gait/velocity_profile.hpp"
 #include "zmpwalk/math/types.hpp"
-#include "zmpwalk/settings.hpp"
+#include "zmpwalk/settings/settings.hpp"
 
 namespace zmpwalk {
 
@@ -55,7 +55,7 @@ class FootstepPlanner {
   /// Lateral displacement of the path in the period after `t_mid` [m].
   double drift(double t_mid, double period) const { return plan_->displacement(t_mid, t_mid + period).y(); }
   /// Lateral distance of feet in an orbit that drifts by `drift` a step [m]: the narrower step has step_width.
-  double width(double drift) const { return settings_.step_width + std::abs(drift); }
+  double width(double drift) const { return settings_.steps.width + std::abs(drift); }
 
   /// Nominal foothold of step n, taken when the foot lifts. @param stance measured stance foot
   Foothold begin_step(int n, Side swing, const Foothold& stance, double t_mid, double period);

@@ -8,7 +8,7 @@
 #include "zmpwalk/gait/swing_foot.hpp"
 #include "zmpwalk/gait/velocity_profile.hpp"
 #include "zmpwalk/gait/velocity_tracker.hpp"
-#include "zmpwalk/settings.hpp"
+#include "zmpwalk/settings/settings.hpp"
 #include "zmpwalk/zmp/bounds.hpp"
 
 namespace zmpwalk {

@@ -21,7 +21,7 @@ struct WalkPlan {
   std::vector<Step> steps;           ///< those that land within the plan
 };
 
-/// Rolls gait, velocity tracker and pendulum (16), (17) forward over `duration` [s] in steps of settings.control_dt.
+/// Rolls gait, velocity tracker and pendulum (16), (17) forward over `duration` [s] in steps of settings.control.dt.
 ///
 /// The ZMP along x is what the smooth tracker asks of the pendulum, along y what the lateral motion with feedback asks, both
 /// inside the bounds, whatever the law: the literal one has nothing that keeps COM and feet together without the robot.

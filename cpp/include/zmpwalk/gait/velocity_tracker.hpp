@@ -1,7 +1,7 @@
 #pragma once
 
 #include "zmpwalk/math/types.hpp"
-#include "zmpwalk/settings.hpp"
+#include "zmpwalk/settings/settings.hpp"
 
 namespace zmpwalk {
 

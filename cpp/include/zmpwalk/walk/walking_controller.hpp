@@ -14,8 +14,8 @@
 #include "zmpwalk/gait/velocity_tracker.hpp"
 #include "zmpwalk/math/mailbox.hpp"
 #include "zmpwalk/robot/robot.hpp"
-#include "zmpwalk/settings.hpp"
-#include "zmpwalk/walk/cycle_output.hpp"
+#include "zmpwalk/settings/settings.hpp"
+#include "zmpwalk/walk/record.hpp"
 #include "zmpwalk/zmp/bounds.hpp"
 #include "zmpwalk/zmp/estimate.hpp"
 
