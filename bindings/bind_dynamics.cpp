@@ -33,19 +33,19 @@ py::dict torque_path(const Robot& robot) {
 }
 
 void bind_dynamics(py::module_& m) {
-  py::class_<SoleState>(m, "SoleState",
-                        "A sole frame: origin at the sole's centre, x forward, z up; all in world axes.")
-      .def_readwrite("p_WF", &SoleState::p_WF, "position (3,) [m]")
-      .def_readwrite("R_WF", &SoleState::R_WF, "rotation (3, 3)")
-      .def_readwrite("velocity", &SoleState::velocity, "linear, angular (6,) = J dq")
+  py::class_<FrameState>(m, "FrameState",
+                         "A frame on the robot, such as a sole's: origin at its centre, x forward, z up. World axes.")
+      .def_readwrite("p_WF", &FrameState::p_WF, "position (3,) [m]")
+      .def_readwrite("R_WF", &FrameState::R_WF, "rotation (3, 3)")
+      .def_readwrite("velocity", &FrameState::velocity, "linear, angular (6,) = J dq")
       .def_property(
-          "J", [](const SoleState& s) -> const Mat6X& { return s.J; },
-          [](SoleState& s, const Mat6X& J) {
+          "J", [](const FrameState& s) -> const Mat6X& { return s.J; },
+          [](FrameState& s, const Mat6X& J) {
             require_shape("J", J.rows(), J.cols(), s.J.rows(), s.J.cols());
             s.J = J;
           },
           "(6, nv), linear rows first")
-      .def_readwrite("drift", &SoleState::drift, "Jdot dq (6,)");
+      .def_readwrite("drift", &FrameState::drift, "Jdot dq (6,)");
 
   py::class_<Dynamics> dynamics(
       m, "Dynamics",
@@ -75,11 +75,14 @@ void bind_dynamics(py::module_& m) {
   ARRAY(omega_WB, "base angular velocity, world axes (3,)")
 #undef ARRAY
   dynamics.def_property_readonly(
-      "left", [](Dynamics& d) -> SoleState& { return d.sole[kLeft]; }, py::return_value_policy::reference_internal,
+      "left", [](Dynamics& d) -> FrameState& { return d.sole[kLeft]; }, py::return_value_policy::reference_internal,
       "left sole");
   dynamics.def_property_readonly(
-      "right", [](Dynamics& d) -> SoleState& { return d.sole[kRight]; }, py::return_value_policy::reference_internal,
+      "right", [](Dynamics& d) -> FrameState& { return d.sole[kRight]; }, py::return_value_policy::reference_internal,
       "right sole");
+  dynamics.def_property_readonly(
+      "frames", [](const Dynamics& d) -> const std::vector<FrameState>& { return d.frames; },
+      "a list of FrameState: the frames that are watched (a copy)");
   dynamics.def("__copy__", [](const Dynamics& d) { return Dynamics(d); });
 
   py::class_<PyRobot>(m, "Robot",

@@ -29,7 +29,7 @@ void bind_joint_motion(py::module_& m) {
       "yaw_momentum",
       [](const Dynamics& dynamics) {
         VecX c(dynamics.nv());
-        yaw_momentum_row(dynamics, c);
+        momentum_row(dynamics, Vec3::UnitZ(), c.transpose());
         return c;
       },
       "dynamics"_a, "Row c (nv,) of the angular momentum about the vertical through the COM, L_z = c dq [kg m^2/s].");

@@ -1,4 +1,4 @@
-#include "common.hpp"
+#include "bind_tasks.hpp"
 #include "zmpwalk/walk/walking_controller.hpp"
 
 using namespace zmpwalk;
@@ -47,8 +47,9 @@ void bind_walking_controller(py::module_& m) {
            "    profile: VelocityProfile; the paper's by default.\n\nRaises:\n    ModelError: the robot cannot be "
            "walked.\n"
            "    InputError: a setting breaks a rule, or the profile is faster than the legs reach.")
-      .def("reset", py::overload_cast<const State&>(&WalkingController::reset), "state"_a,
-           "Starts a walk from a State; moves nothing.")
+      .def(
+          "reset", [](WalkingController& c, const PyState& state) { c.reset(state); }, "state"_a,
+          "Starts a walk from a State; moves nothing.")
       .def(
           "reset", [](WalkingController& c, const py::object& data) { c.reset(data_of(data)); }, "data"_a,
           "Reads the state and starts a walk there; moves nothing.\n\nRaises:\n    InputError: the state is not "
@@ -58,7 +59,7 @@ void bind_walking_controller(py::module_& m) {
           [](const WalkingController& c, const py::object& data) {
             const mjData* d = data_of(data);
             c.robot().require_data(d);
-            State state(c.robot().nv());
+            PyState state(c.robot().nv());
             c.robot().observe(d, state);
             return state;
           },
@@ -66,21 +67,37 @@ void bind_walking_controller(py::module_& m) {
           "The robot's part of `data` as plain numbers: time, position and velocity. What feet feel is left "
           "unknown.\n\n"
           "Args:\n    data: mujoco.MjData.\n\nReturns:\n    State.\n\nRaises:\n    InputError: data of another model.")
-      .def("update", py::overload_cast<const State&>(&WalkingController::update), "state"_a,
-           py::return_value_policy::copy,
-           "Computes the torque for a State, in the output's `tau`; changes nothing outside the controller.")
       .def(
           "update",
-          [](WalkingController& c, const py::object& data, bool after_step1) -> const CycleOutput& {
-            return c.update(data_of(data), after_step1 ? Terms::kInData : Terms::kCompute);
+          [](WalkingController& c, const PyState& state) -> const CycleOutput& {
+            PyState known = state;
+            known.external = external_of(c, state.named);
+            return c.update(known);
           },
-          "data"_a, "after_step1"_a = false, py::return_value_policy::copy,
+          "state"_a, py::return_value_policy::copy,
+          "Computes the torque for a State, in the output's `tau`; changes nothing outside the controller.")
+      .def(
+          "update",
+          [](WalkingController& c, const py::object& data, bool after_step1, const py::object& external,
+             const std::optional<Vec2>& contact) -> const CycleOutput& {
+            Sensed sensed;
+            sensed.external = external_of(c, external);
+            if (contact) sensed.contact = {(*contact)[kLeft], (*contact)[kRight]};
+            return c.update(data_of(data), after_step1 ? Terms::kInData : Terms::kCompute, sensed);
+          },
+          "data"_a, "after_step1"_a = false, "external"_a = py::none(), "contact"_a = py::none(),
+          py::return_value_policy::copy,
           "Computes the torque for the state in `data`, writes data.ctrl, returns a copy of what was decided.\n\n"
           "Args:\n    data: mujoco.MjData.\n    after_step1: mj_step1 (or mj_forward) has just run for this state, so "
           "that "
           "`data` holds kinematics,\n        inertia and bias forces already; the torque has the same bits, in half "
           "the "
-          "time.\n\n"
+          "time.\n    external: known forces on the robot, {body or site: (6,) force and moment at its frame's origin, "
+          "world axes\n        [N, N m]}; None where there are none.\n    contact: (left, right), 1 where a foot "
+          "touches the "
+          "ground, 0 where it does not, NaN where nobody knows; None reads\n        data's own contacts of the last "
+          "step, "
+          "where the setting `touch_down` asks for them.\n\n"
           "Raises:\n    InputError: the state is not finite, its terms belong to another, or reset() was not called; "
           "nothing is\n        changed.")
       .def(
@@ -107,6 +124,21 @@ void bind_walking_controller(py::module_& m) {
       .def("move", &WalkingController::move, "motion"_a,
            "Joints outside the legs, and the trunk, follow `motion` from now on; see the package's WalkingController.")
       .def_property_readonly("motion", &WalkingController::motion)
+      .def("add", &WalkingController::add, "task"_a, "blend"_a = kNaN,
+           "The task is met from now on; see the package's WalkingController.")
+      .def(
+          "remove",
+          [](WalkingController& c, const std::shared_ptr<Task>& task, double blend) { c.remove(*task, blend); },
+          "task"_a, "blend"_a = kNaN, "The task loses its effect; see the package's WalkingController.")
+      .def_property_readonly("cycles", &WalkingController::cycles, "control cycles since the last reset")
+      .def_property_readonly(
+          "task_activations",
+          [](const WalkingController& c) {
+            std::vector<double> out;
+            for (const TaskStack::Entry& entry : c.added_tasks().entries()) out.push_back(entry.activation);
+            return out;
+          },
+          "how far each added task acts, in the order of their priority: from 0 to its weight")
       .def_property_readonly("description", [](const WalkingController& c) { return c.robot().description(); })
       .def_property_readonly("joint_names", [](const WalkingController& c) { return c.robot().joint_names(); })
       .def_property_readonly(

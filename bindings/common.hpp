@@ -53,6 +53,7 @@ void bind_description(py::module_& m);
 void bind_dynamics(py::module_& m);
 void bind_contact_space(py::module_& m);
 void bind_task_space(py::module_& m);
+void bind_tasks(py::module_& m);
 void bind_whole_body(py::module_& m);
 void bind_plane(py::module_& m);
 void bind_estimate(py::module_& m);

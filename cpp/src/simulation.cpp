@@ -102,6 +102,7 @@ RunResult Simulation::run(double duration, Recorder& recorder, const std::functi
   result.cycle_us.reserve(
       static_cast<std::size_t>(std::min(duration, kReservedTime) / controller_.settings().control.dt) + 2);
   double airborne = 0.0;
+  Sensed felt;  // by the feet, in the step before
   const long every = std::max(1L, std::lround(cycle_interval / controller_.settings().control.dt));
   long cycle = 0;
   const auto start = std::chrono::steady_clock::now();
@@ -119,7 +120,7 @@ RunResult Simulation::run(double duration, Recorder& recorder, const std::functi
       break;
     }
     const auto before = std::chrono::steady_clock::now();
-    const CycleOutput& out = controller_.update(d, in_two ? Terms::kInData : Terms::kCompute);
+    const CycleOutput& out = controller_.update(d, in_two ? Terms::kInData : Terms::kCompute, felt);
     if (out.fresh) result.cycle_us.push_back(1e6 * seconds_since(before));
     if (after_cycle && out.fresh && cycle++ % every == 0 && !after_cycle(out)) result.stopped = true;
     if (in_two)
@@ -129,7 +130,11 @@ RunResult Simulation::run(double duration, Recorder& recorder, const std::functi
     if (diverged(d)) d->time = t + dt;
     recorder.add(out, d);
     if (out.fresh) {
-      const bool touches = !std::isnan(recorder.contact().wrench[2]) || !std::isnan(recorder.contact().wrench[8]);
+      for (const Side side : kSides) {
+        felt.wrench[side] = recorder.contact().wrench.segment<6>(6 * side);
+        felt.contact[side] = std::isnan(felt.wrench[side].z()) ? 0.0 : 1.0;
+      }
+      const bool touches = felt.contact[kLeft] + felt.contact[kRight] > 0.0;
       airborne = touches ? 0.0 : airborne + controller_.settings().control.dt;
     }
     result.fell = out.fell != Fall::kNone ? out.fell : airborne > kLongestFlight ? Fall::kNoContact : Fall::kNone;

@@ -65,6 +65,7 @@ from .robots import (
 )
 from .settings import load_settings, settings_toml
 from .simulation import Recorder, WalkingController, simulate, simulate_batch
+from .tasks import FrameTask, JointTask, MomentumTask
 from .trace import Trace
 from .waypoints import Waypoints, walk_to
 
@@ -76,11 +77,14 @@ __all__ = [
     "Dynamics",
     "Error",
     "Foot",
+    "FrameTask",
     "GaitGenerator",
     "InputError",
     "JointMotion",
+    "JointTask",
     "LinearInvertedPendulum",
     "ModelError",
+    "MomentumTask",
     "Plane",
     "Proposal",
     "Recorder",

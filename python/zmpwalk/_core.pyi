@@ -19,14 +19,20 @@ __all__: list[str] = [
     "Dynamics",
     "FallSettings",
     "Foot",
+    "FrameState",
+    "FrameTask",
     "GaitGenerator",
     "GaitOutput",
     "GaitSettings",
     "JointMotion",
+    "JointTask",
     "LegParts",
     "LinearInvertedPendulum",
+    "MomentumTask",
     "Plane",
+    "PoseReference",
     "PostureSettings",
+    "PythonTask",
     "RateSettings",
     "RecordedColumn",
     "Recorder",
@@ -35,12 +41,13 @@ __all__: list[str] = [
     "RobotDescription",
     "RobotParts",
     "Setting",
-    "SoleState",
     "State",
     "StepsSettings",
     "SwingSettings",
+    "Task",
     "TaskAccelerations",
     "TaskSpace",
+    "TaskState",
     "TrackingSettings",
     "TrunkSettings",
     "VelocityProfile",
@@ -147,6 +154,10 @@ class GaitSettingsDict(typing.TypedDict, total=False):
     stand_gain: float
     closing_distance: float
     closing_turn: float
+    touch_down: typing.Literal["time", "contact"]
+    touch_down_share: float
+    touch_down_time: float
+    touch_down_depth: float
 
 class StepsSettingsDict(typing.TypedDict, total=False):
     mode: typing.Literal["tied", "absolute", "paper", "printed", "list"] | typing.Sequence[float]
@@ -292,6 +303,10 @@ class WalkSettings:
         stand_gain: float = ...,
         closing_reach: float = ...,
         closing_turn: float = ...,
+        touch_down: typing.Literal["time", "contact"] = ...,
+        touch_down_share: float = ...,
+        touch_down_time: float = ...,
+        touch_down_depth: float = ...,
         steps: StepsSettings | StepsSettingsDict = ...,
         footsteps: typing.Literal["tied", "absolute", "paper", "printed", "list"] | typing.Sequence[float] = ...,
         step_lengths: typing.Sequence[float] = ...,
@@ -379,27 +394,31 @@ class WalkSettings:
     ) -> None:
         """Every gain, bound and switch of the walk, in groups: `settings.tracking.gain`.
 
-        Each setting has one word as well (in brackets below), which does the same as keyword, attribute and in files.
-        NaN means 'from the robot': WalkingController fills it in. Defaults scale with the height z_c of the COM over
-        the soles at the start, with gravity g, and with T_c = sqrt(z_c / g), the time constant in which the robot would
-        fall over.
+        Each setting has one word as well (in brackets below, where it is not the name itself), which does the same as
+        keyword, as attribute and in files. NaN means 'from the robot': WalkingController fills it in. Defaults scale
+        with the height z_c of the COM over the soles at the start, with gravity g, and with T_c = sqrt(z_c / g), the
+        time constant in which the robot would fall over.
 
         Args:
             law: preset, 'default' or 'paper' (the literal law of the paper).
             gait: When a foot is lifted and set down, and when the robot stands. A dict, or GaitSettings.
-                T_ds (T_ds): Double support time of a step: how long both feet stand between two swings. Unit: s. Default: 0.2 of a step's period, which is 0.8 s sqrt(z_c / 0.747 m).
-                T_ss (T_ss): Single support time of a step: how long one foot is in the air. Unit: s. Default: 0.8 of a step's period, which is 0.8 s sqrt(z_c / 0.747 m).
-                T_ds_first (T_ds_first): Length of the first double support, in which the COM leaves its rest. With the default its sway is the steady one from the first step on. Unit: s. Default: the time in which a COM at rest takes up the sway of the steady walk.
-                first_swing (first_swing): Foot that takes the first step. One of 'right', 'left'. Default: 'right'.
-                cadence_speed (cadence_speed): Speed up to which every step takes T_ss + T_ds, and a faster walk takes longer steps. Above it the steps come faster as well. Unit: m/s. Default: 0.1 sqrt(g z_c).
-                cadence_exponent (cadence_exponent): How much faster steps come above cadence_speed: a step takes (cadence_speed / speed)^cadence_exponent of T_ss + T_ds. With 0 all steps take the same time. Default: 0.4, or 0 where a list sets the lengths of the steps.
-                cadence_double (cadence_double): How much the double support's share of a step shrinks above cadence_speed: as (cadence_speed / speed)^cadence_double. With 0 the share stays. Default: 0.5.
-                cadence_sideways (cadence_sideways): Weight of the sideways velocity in the speed that is compared with cadence_speed: 1 m/s sideways counts as this many m/s forward. Default: 3.0.
-                cadence_turning (cadence_turning): Weight of turning in the speed that is compared with cadence_speed: 1 rad/s counts as this many m/s forward. Unit: m/rad. Default: 0.54 z_c.
-                stand (stand): Whether the robot stands still, feet side by side, while the planned velocity is zero. With false it steps on the spot. Default: True.
-                stand_gain (stand_gain): How hard a standing robot is brought back over the middle between its feet: the ZMP goes beyond the DCM (COM + T_c times its velocity) by this many times the DCM's distance from the middle. Default: 1.0.
+                T_ds: Double support time of a step: how long both feet stand between two swings. Unit: s. Default: 0.2 of a step's period, which is 0.8 s sqrt(z_c / 0.747 m).
+                T_ss: Single support time of a step: how long one foot is in the air. Unit: s. Default: 0.8 of a step's period, which is 0.8 s sqrt(z_c / 0.747 m).
+                T_ds_first: Length of the first double support, in which the COM leaves its rest. With the default its sway is the steady one from the first step on. Unit: s. Default: the time in which a COM at rest takes up the sway of the steady walk.
+                first_swing: Foot that takes the first step. One of 'right', 'left'. Default: 'right'.
+                cadence_speed: Speed up to which every step takes T_ss + T_ds, and a faster walk takes longer steps. Above it the steps come faster as well. Unit: m/s. Default: 0.1 sqrt(g z_c).
+                cadence_exponent: How much faster steps come above cadence_speed: a step takes (cadence_speed / speed)^cadence_exponent of T_ss + T_ds. With 0 all steps take the same time. Default: 0.4, or 0 where a list sets the lengths of the steps.
+                cadence_double: How much the double support's share of a step shrinks above cadence_speed: as (cadence_speed / speed)^cadence_double. With 0 the share stays. Default: 0.5.
+                cadence_sideways: Weight of the sideways velocity in the speed that is compared with cadence_speed: 1 m/s sideways counts as this many m/s forward. Default: 3.0.
+                cadence_turning: Weight of turning in the speed that is compared with cadence_speed: 1 rad/s counts as this many m/s forward. Unit: m/rad. Default: 0.54 z_c.
+                stand: Whether the robot stands still, feet side by side, while the planned velocity is zero. With false it steps on the spot. Default: True.
+                stand_gain: How hard a standing robot is brought back over the middle between its feet: the ZMP goes beyond the DCM (COM + T_c times its velocity) by this many times the DCM's distance from the middle. Default: 1.0.
                 closing_distance (closing_reach): A walk ends with a step that sets the foot beside the other one. That step is taken once the DCM (COM + T_c times its velocity) will be this near to the standing foot at its end. Unit: m. Default: 0.1 z_c.
-                closing_turn (closing_turn): A walk ends with a step that sets the foot beside the other one. That step is taken only where the headings of the path and of the standing foot differ by no more than this. Unit: rad. Default: 0.05.
+                closing_turn: A walk ends with a step that sets the foot beside the other one. That step is taken only where the headings of the path and of the standing foot differ by no more than this. Unit: rad. Default: 0.05.
+                touch_down: What ends a step: 'time' alone, or 'contact': the step ends when the swing foot is felt to touch the ground, before or after the planned time. A foot whose contact is not known, or was never felt, ends its step by time. One of 'time', 'contact'. Default: 'time'.
+                touch_down_share: Share of the single support before which a contact of the swing foot does not end the step: a foot that has just lifted may scuff the ground. Only where touch_down is 'contact'. Default: 0.5.
+                touch_down_time: How long a swing foot that meets no ground at its planned time goes on down, until the step ends by time. Only where touch_down is 'contact'. Unit: s. Default: 0.5 T_c.
+                touch_down_depth: How far a swing foot that meets no ground at its planned time goes down below the planned height. Its speed stays below about twice touch_down_depth / touch_down_time. Only where touch_down is 'contact'. Unit: m. Default: 0.01 z_c.
             steps: Where the feet are set down. A dict, or StepsSettings.
                 mode (footsteps): What decides where a foot lands: 'tied' follows the COM, which keeps the walk balanced; 'absolute' takes the places of the plan; 'paper' and 'printed' take the step lengths of section IV, corrected and as printed; 'list' takes steps.lengths. Python and files take a list of lengths here as well. One of 'tied', 'absolute', 'paper', 'printed', 'list'. Default: 'tied'.
                 lengths (step_lengths): How far each step lands ahead of the standing foot, one number per step; the last one repeats. Tied footsteps do not use it. Unit: m. Default: [].
@@ -410,7 +429,7 @@ class WalkSettings:
                 give (foothold_give): A COM that is faster or slower than planned needs another foothold or another ZMP. Up to this share of its bounds the ZMP over the next foot makes up for it; only the rest moves a tied foothold. With 0 each long step would be followed by a short one. Default: 0.3.
                 freeze (foothold_freeze): Share of the single support after which a tied foothold stays where it is, so that the foot lands calmly. Default: 0.7.
                 capture_distance (capture_reach): How far the DCM (COM + T_c times its velocity) may be from its planned place when the next foot takes over, with tied footsteps. Beyond that the tracked speed yields, so that the next step still catches the robot. Unit: m. Default: 0.07 z_c.
-                capture_speed (capture_speed): Most that the tracked speed yields, either way, to keep the DCM within capture_distance of its plan. Unit: m/s. Default: 0.2 sqrt(g z_c).
+                capture_speed: Most that the tracked speed yields, either way, to keep the DCM within capture_distance of its plan. Unit: m/s. Default: 0.2 sqrt(g z_c).
             swing: How the foot in the air moves. A dict, or SwingSettings.
                 height (step_height): Height to which a step lifts the foot. Unit: m. Default: 0.0535 z_c, or less (down to 0.01 z_c) where the knee's rotor and damping would take over 0.6 of its torque at the walk's top speed.
                 feed_forward (swing_feed_forward): Whether the acceleration of the planned swing is added to that which corrects the foot's error. Without it the foot lags behind its path. Default: True.
@@ -418,7 +437,7 @@ class WalkSettings:
                 kd (swing_kd): Damping with which the foot in the air is held on its path: acceleration per velocity error, in position and orientation. Unit: 1/s. Default: 120 (0.276 s / T_c).
             com: How the centre of mass (COM) is moved: forward, sideways and in height. A dict, or ComSettings.
                 state (com_state): What counts as the COM's current state in the pendulum (16), (17): the 'measured' one, or the one that was 'desired' in the cycle before. One of 'measured', 'desired'. Default: 'measured'.
-                feed_forward (feed_forward): Whether the pendulum's acceleration is added to the COM's commanded acceleration (8). Without it the COM is one cycle late and takes stiffer gains. Default: True.
+                feed_forward: Whether the pendulum's acceleration is added to the COM's commanded acceleration (8). Without it the COM is one cycle late and takes stiffer gains. Default: True.
                 kp_x (com_x_kp): Stiffness of the COM's motion forward: acceleration per position error in (8). Unit: 1/s^2. Default: 100 (0.276 s / T_c)^2.
                 kd_x (com_x_kd): Damping of the COM's motion forward: acceleration per velocity error in (8). Unit: 1/s. Default: 20 (0.276 s / T_c).
                 kp_y (com_y_kp): Stiffness of the COM's motion sideways: acceleration per position error in (8). Unit: 1/s^2. Default: 100 (0.276 s / T_c)^2.
@@ -426,20 +445,20 @@ class WalkSettings:
                 kp_z (com_z_kp): Stiffness of the COM's height: acceleration per position error in (8). Unit: 1/s^2. Default: 200 (0.276 s / T_c)^2.
                 kd_z (com_z_kd): Damping of the COM's height: acceleration per velocity error in (8). Unit: 1/s. Default: 28 (0.276 s / T_c).
                 lead (com_lead): How far the COM rides ahead of the middle between the feet, with tied footsteps. So a foot that has just landed is not loaded on its heel, where the contact settles slowly. Unit: m. Default: 0.0134 z_c.
-                least_knee (least_knee): Smallest knee angle that the plan allows, so that no leg becomes straight. It leaves room for what the plan does not know: swing leg and pelvis move the hips against the COM. Unit: rad. Default: 0.3.
-                crouch_limit (crouch_limit): How far the COM may come down so that the legs reach far enough for long steps. Unit: m. Default: 0.1 z_c.
-                crouch_margin (crouch_margin): For long steps the COM comes down until the legs reach this many times as far as the feet are from under the hips in double support. Default: 1.2.
-                crouch_time (crouch_time): Time constant with which the COM comes down for long steps and rises after them. Unit: s. Default: 0.5 T_c.
+                least_knee: Smallest knee angle that the plan allows, so that no leg becomes straight. It leaves room for what the plan does not know: swing leg and pelvis move the hips against the COM. Unit: rad. Default: 0.3.
+                crouch_limit: How far the COM may come down so that the legs reach far enough for long steps. Unit: m. Default: 0.1 z_c.
+                crouch_margin: For long steps the COM comes down until the legs reach this many times as far as the feet are from under the hips in double support. Default: 1.2.
+                crouch_time: Time constant with which the COM comes down for long steps and rises after them. Unit: s. Default: 0.5 T_c.
             zmp: Where the ZMP may be, and how the reference ZMP is found that puts it there (III-B, III-D). A dict, or ZmpSettings.
                 modification (zmp_modification): Whether the estimated ZMP is kept inside its bounds (III-B, III-C). With false the planned velocity is tracked blindly. Default: True.
-                iteration (iteration): How the reference ZMP is found that puts the estimated ZMP where it is desired: in 'closed_form', or by the 'loop' that III-B prints. With 'none' the pendulum's ZMP is taken as it is, and the estimate changes nothing. One of 'closed_form', 'loop', 'none'. Default: 'closed_form'.
+                iteration: How the reference ZMP is found that puts the estimated ZMP where it is desired: in 'closed_form', or by the 'loop' that III-B prints. With 'none' the pendulum's ZMP is taken as it is, and the estimate changes nothing. One of 'closed_form', 'loop', 'none'. Default: 'closed_form'.
                 threshold (zmp_threshold): The reference ZMP is good enough once the estimated ZMP is this near to the desired one (section IV). Unit: m. Default: 0.001.
-                max_iterations (max_iterations): Most passes of the loop of III-B in one control cycle, which then goes on with what it has. Default: 200.
-                sole_fraction (sole_fraction): Share of the sole's length and width that the ZMP may use. The rest is a margin: a foot whose ZMP is at its edge tips. Default: 0.72.
-                sole_exponent (sole_exponent): How much less of the sole's length the ZMP uses above cadence_speed: (cadence_speed / speed)^sole_exponent of it. At the sole's ends the contact of a fast walk chatters. Default: 0.5.
-                ankle_torque_fraction (ankle_torque_fraction): Share of an ankle's torque limit that may hold the ZMP away from the ankle. Where ankles are weak this, not the sole, bounds the ZMP. Default: 0.9.
-                bound_lateral (bound_lateral): Whether the ZMP is kept inside its bounds sideways too. The paper bounds it forward only. Default: True.
-                lateral_feedback (lateral_feedback): Whether the reference ZMP is shifted sideways so that the sway repeats (III-D). With false the sway follows (17) alone, and an error at the start never decays. Default: True.
+                max_iterations: Most passes of the loop of III-B in one control cycle, which then goes on with what it has. Default: 200.
+                sole_fraction: Share of the sole's length and width that the ZMP may use. The rest is a margin: a foot whose ZMP is at its edge tips. Default: 0.72.
+                sole_exponent: How much less of the sole's length the ZMP uses above cadence_speed: (cadence_speed / speed)^sole_exponent of it. At the sole's ends the contact of a fast walk chatters. Default: 0.5.
+                ankle_torque_fraction: Share of an ankle's torque limit that may hold the ZMP away from the ankle. Where ankles are weak this, not the sole, bounds the ZMP. Default: 0.9.
+                bound_lateral: Whether the ZMP is kept inside its bounds sideways too. The paper bounds it forward only. Default: True.
+                lateral_feedback: Whether the reference ZMP is shifted sideways so that the sway repeats (III-D). With false the sway follows (17) alone, and an error at the start never decays. Default: True.
                 lateral_shift (lateral_reach): Largest sideways shift of the reference ZMP that makes the sway repeat, as a share of half the sole's width. Default: 0.4.
             tracking: How the walk follows the planned velocity (III-C). A dict, or TrackingSettings.
                 law (tracker): Law by which the COM's velocity follows the planned one: 'smooth' accelerates in proportion to the error, 'bang_bang' drives the ZMP to its bounds until the error is gone, as III-C is printed. One of 'smooth', 'bang_bang'. Default: 'smooth'.
@@ -449,13 +468,13 @@ class WalkSettings:
                 deadband (tracker_deadband): How far the COM may be ahead of its plan or behind it before the bang-bang law drives it back. A drive ends a little beyond the plan, since time is discrete; without a deadband that would start the next drive. Unit: m. Default: 0.0002.
             rate: How fast the planned velocity may change, whatever a profile or command asks for at once. A dict, or RateSettings.
                 limit (rate_limit): Whether the planned velocity changes no faster than steps can follow. With false profiles and commands are taken as they are. Default: True.
-                forward_jump (forward_jump): Change of the forward velocity v_x that is taken up at once. A larger one follows at forward_acceleration or forward_deceleration. Unit: m/s. Default: 0.036 sqrt(g z_c).
-                sideways_jump (sideways_jump): Change of the sideways velocity v_y that is taken up at once. A larger one follows at sideways_acceleration. Unit: m/s. Default: 0.03 sqrt(g z_c).
-                turning_jump (turning_jump): Change of the turning velocity w_z that is taken up at once. A larger one follows at turning_acceleration. Unit: rad/s. Default: 0.07 / T_c.
-                forward_acceleration (forward_acceleration): Rate at which the forward velocity v_x moves away from zero. Unit: m/s^2. Default: 0.02 g.
-                forward_deceleration (forward_deceleration): Rate at which the forward velocity v_x goes back to zero. Unit: m/s^2. Default: 0.056 g.
-                sideways_acceleration (sideways_acceleration): Rate at which the sideways velocity v_y changes. Unit: m/s^2. Default: 0.025 g.
-                turning_acceleration (turning_acceleration): Rate at which the turning velocity w_z changes. Unit: rad/s^2. Default: 0.08 / T_c^2.
+                forward_jump: Change of the forward velocity v_x that is taken up at once. A larger one follows at forward_acceleration or forward_deceleration. Unit: m/s. Default: 0.036 sqrt(g z_c).
+                sideways_jump: Change of the sideways velocity v_y that is taken up at once. A larger one follows at sideways_acceleration. Unit: m/s. Default: 0.03 sqrt(g z_c).
+                turning_jump: Change of the turning velocity w_z that is taken up at once. A larger one follows at turning_acceleration. Unit: rad/s. Default: 0.07 / T_c.
+                forward_acceleration: Rate at which the forward velocity v_x moves away from zero. Unit: m/s^2. Default: 0.02 g.
+                forward_deceleration: Rate at which the forward velocity v_x goes back to zero. Unit: m/s^2. Default: 0.056 g.
+                sideways_acceleration: Rate at which the sideways velocity v_y changes. Unit: m/s^2. Default: 0.025 g.
+                turning_acceleration: Rate at which the turning velocity w_z changes. Unit: rad/s^2. Default: 0.08 / T_c^2.
             trunk: How the trunk is kept upright and along the path. A dict, or TrunkSettings.
                 kp (trunk_kp): Stiffness of the trunk's orientation: angular acceleration per angle of error. Unit: 1/s^2. Default: 300 (0.276 s / T_c)^2.
                 kd (trunk_kd): Damping of the trunk's orientation: angular acceleration per error of angular velocity. Unit: 1/s. Default: 35 (0.276 s / T_c).
@@ -463,23 +482,23 @@ class WalkSettings:
                 task (posture_task): Whether the joints outside the legs are controlled. With false their motion is left to the torque of least norm. Default: True.
                 kp (posture_kp): Stiffness of the joints outside the legs: acceleration per angle of error. Unit: 1/s^2. Default: 100 (0.276 s / T_c)^2.
                 kd (posture_kd): Damping of the joints outside the legs: acceleration per error of joint velocity. Unit: 1/s. Default: 20 (0.276 s / T_c).
-                motion_blend (motion_blend): Time in which a new joint motion takes over from the one before it. Unit: s. Default: 1.8 T_c.
+                motion_blend: Time in which a new joint motion takes over from the one before it. Unit: s. Default: 1.8 T_c.
             arms: How the arms swing so that the robot does not turn about the vertical. A dict, or ArmsSettings.
                 momentum (momentum_arms): Share of the yaw momentum of legs and trunk that the arms cancel by swinging, 0 to 1. Joints that a motion names do not swing. Default: 0.0.
                 kp (momentum_kp): Stiffness of the spring that brings swinging arms back to their posture: acceleration per angle. Unit: 1/s^2. Default: 20 (0.276 s / T_c)^2.
                 kd (momentum_kd): Rate at which swinging arms bring the robot's yaw momentum to zero. Unit: 1/s. Default: 20 (0.276 s / T_c).
             contact: How the feet that stand carry the robot. A dict, or ContactSettings.
-                wrench_distribution (wrench_distribution): Whether two standing feet share the load by the place of the ZMP between them. With false the torque of least norm decides, which ignores that feet cannot pull. Default: True.
-                load_alone (load_alone): In double support one foot carries everything while the ZMP is this near to its centre line, in half sole widths. A foot that has just landed would chatter under a light load. Default: 0.7.
+                wrench_distribution: Whether two standing feet share the load by the place of the ZMP between them. With false the torque of least norm decides, which ignores that feet cannot pull. Default: True.
+                load_alone: In double support one foot carries everything while the ZMP is this near to its centre line, in half sole widths. A foot that has just landed would chatter under a light load. Default: 0.7.
                 damping (contact_damping): Damping of the velocity of a standing foot that does not carry the ZMP. Without a load it would drift off the ground. Unit: 1/s. Default: 100.0.
             control: How the torque is computed, how often, and within which limits. A dict, or ControlSettings.
                 dt (control_dt): Control period: a new torque is computed this often and held in between. It must be a multiple of the model's time step. Unit: s. Default: the model's time step.
-                textbook (textbook): Whether equations (1) to (13) are computed as printed instead of on the direct path. It is slower and gives the same numbers. Default: False.
-                singular_damping (singular_damping): Damping that keeps the joints' motion bounded where a leg is straight. Default: 0.001.
-                singular_pivot (singular_pivot): Smallest pivot of a leg's equations below which that leg counts as straight. Default: 0.01.
-                friction_velocity (friction_velocity): Joint speed below which dry friction is taken as proportional to the speed, so that it does not jump where a joint turns around. Unit: rad/s. Default: 0.02.
-                kernel (kernel): Build of the inner loops: 'auto' takes the best that this processor runs, and build_info()['kernels'] names those that there are. They agree to rounding. Default: 'auto'.
-                torque_limits (torque_limits): Torque limits by joint name, in place of the robot's own. A motor still gives no more than the model lets through. Unit: N m. Default: {}.
+                textbook: Whether equations (1) to (13) are computed as printed instead of on the direct path. It is slower and gives the same numbers. Default: False.
+                singular_damping: Damping that keeps the joints' motion bounded where a leg is straight. Default: 0.001.
+                singular_pivot: Smallest pivot of a leg's equations below which that leg counts as straight. Default: 0.01.
+                friction_velocity: Joint speed below which dry friction is taken as proportional to the speed, so that it does not jump where a joint turns around. Unit: rad/s. Default: 0.02.
+                kernel: Build of the inner loops: 'auto' takes the best that this processor runs, and build_info()['kernels'] names those that there are. They agree to rounding. Default: 'auto'.
+                torque_limits: Torque limits by joint name, in place of the robot's own. A motor still gives no more than the model lets through. Unit: N m. Default: {}.
             fall: What counts as a fall, which ends the run. A dict, or FallSettings.
                 height (fall_height): The robot has fallen where its COM is less high over the support foot than this share of its height at the start. Default: 0.8.
                 tilt (fall_tilt): The robot has fallen where its trunk tilts by more than this. Unit: rad. Default: 0.8.
@@ -508,6 +527,10 @@ class WalkSettings:
         stand_gain: float = ...,
         closing_reach: float = ...,
         closing_turn: float = ...,
+        touch_down: typing.Literal["time", "contact"] = ...,
+        touch_down_share: float = ...,
+        touch_down_time: float = ...,
+        touch_down_depth: float = ...,
         steps: StepsSettings | StepsSettingsDict = ...,
         footsteps: typing.Literal["tied", "absolute", "paper", "printed", "list"] | typing.Sequence[float] = ...,
         step_lengths: typing.Sequence[float] = ...,
@@ -733,6 +756,26 @@ class WalkSettings:
         """gait.closing_turn: A walk ends with a step that sets the foot beside the other one. That step is taken only where the headings of the path and of the standing foot differ by no more than this. Unit: rad. Default: 0.05."""
     @closing_turn.setter
     def closing_turn(self, value: float) -> None: ...
+    @property
+    def touch_down(self) -> typing.Literal["time", "contact"]:
+        """gait.touch_down: What ends a step: 'time' alone, or 'contact': the step ends when the swing foot is felt to touch the ground, before or after the planned time. A foot whose contact is not known, or was never felt, ends its step by time. One of 'time', 'contact'. Default: 'time'."""
+    @touch_down.setter
+    def touch_down(self, value: typing.Literal["time", "contact"]) -> None: ...
+    @property
+    def touch_down_share(self) -> float:
+        """gait.touch_down_share: Share of the single support before which a contact of the swing foot does not end the step: a foot that has just lifted may scuff the ground. Only where touch_down is 'contact'. Default: 0.5."""
+    @touch_down_share.setter
+    def touch_down_share(self, value: float) -> None: ...
+    @property
+    def touch_down_time(self) -> float:
+        """gait.touch_down_time: How long a swing foot that meets no ground at its planned time goes on down, until the step ends by time. Only where touch_down is 'contact'. Unit: s. Default: 0.5 T_c."""
+    @touch_down_time.setter
+    def touch_down_time(self, value: float) -> None: ...
+    @property
+    def touch_down_depth(self) -> float:
+        """gait.touch_down_depth: How far a swing foot that meets no ground at its planned time goes down below the planned height. Its speed stays below about twice touch_down_depth / touch_down_time. Only where touch_down is 'contact'. Unit: m. Default: 0.01 z_c."""
+    @touch_down_depth.setter
+    def touch_down_depth(self, value: float) -> None: ...
     @property
     def footsteps(self) -> typing.Literal["tied", "absolute", "paper", "printed", "list"]:
         """steps.mode: What decides where a foot lands: 'tied' follows the COM, which keeps the walk balanced; 'absolute' takes the places of the plan; 'paper' and 'printed' take the step lengths of section IV, corrected and as printed; 'list' takes steps.lengths. Python and files take a list of lengths here as well. One of 'tied', 'absolute', 'paper', 'printed', 'list'. Default: 'tied'."""
@@ -1177,6 +1220,26 @@ class GaitSettings:
         """A walk ends with a step that sets the foot beside the other one. That step is taken only where the headings of the path and of the standing foot differ by no more than this. Unit: rad. Default: 0.05."""
     @closing_turn.setter
     def closing_turn(self, value: float) -> None: ...
+    @property
+    def touch_down(self) -> typing.Literal["time", "contact"]:
+        """What ends a step: 'time' alone, or 'contact': the step ends when the swing foot is felt to touch the ground, before or after the planned time. A foot whose contact is not known, or was never felt, ends its step by time. One of 'time', 'contact'. Default: 'time'."""
+    @touch_down.setter
+    def touch_down(self, value: typing.Literal["time", "contact"]) -> None: ...
+    @property
+    def touch_down_share(self) -> float:
+        """Share of the single support before which a contact of the swing foot does not end the step: a foot that has just lifted may scuff the ground. Only where touch_down is 'contact'. Default: 0.5."""
+    @touch_down_share.setter
+    def touch_down_share(self, value: float) -> None: ...
+    @property
+    def touch_down_time(self) -> float:
+        """How long a swing foot that meets no ground at its planned time goes on down, until the step ends by time. Only where touch_down is 'contact'. Unit: s. Default: 0.5 T_c."""
+    @touch_down_time.setter
+    def touch_down_time(self, value: float) -> None: ...
+    @property
+    def touch_down_depth(self) -> float:
+        """How far a swing foot that meets no ground at its planned time goes down below the planned height. Its speed stays below about twice touch_down_depth / touch_down_time. Only where touch_down is 'contact'. Unit: m. Default: 0.01 z_c."""
+    @touch_down_depth.setter
+    def touch_down_depth(self, value: float) -> None: ...
 
 class StepsSettings:
     """
@@ -1981,9 +2044,9 @@ class RobotParts:
         outermost body of its tree
         """
 
-class SoleState:
+class FrameState:
     """
-    A sole frame: origin at the sole's centre, x forward, z up; all in world axes.
+    A frame on the robot, such as a sole's: origin at its centre, x forward, z up. World axes.
     """
     @property
     def J(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[6, n]"]:
@@ -2086,6 +2149,11 @@ class Dynamics:
     @drift_com.setter
     def drift_com(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> None: ...
     @property
+    def frames(self) -> list[FrameState]:
+        """
+        a list of FrameState: the frames that are watched (a copy)
+        """
+    @property
     def g(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
         """
         gravity (nv,)
@@ -2102,7 +2170,7 @@ class Dynamics:
     @property
     def joints(self) -> int: ...
     @property
-    def left(self) -> SoleState:
+    def left(self) -> FrameState:
         """
         left sole
         """
@@ -2137,7 +2205,7 @@ class Dynamics:
     @q.setter
     def q(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"]) -> None: ...
     @property
-    def right(self) -> SoleState:
+    def right(self) -> FrameState:
         """
         right sole
         """
@@ -2508,6 +2576,160 @@ class Contact:
         """
     @width.setter
     def width(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
+
+class Task:
+    """
+    Something that the robot is to do while it walks.
+    """
+    @property
+    def priority(self) -> int:
+        """
+        tasks of smaller numbers come first
+        """
+    @priority.setter
+    def priority(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None: ...
+    @property
+    def weight(self) -> float:
+        """
+        share of its correction that is applied, more than 0 and at most 1
+        """
+    @weight.setter
+    def weight(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
+
+class PoseReference:
+    """
+    Where a frame is to be and how it is to move there, in the frame that it is relative to.
+    """
+    def __init__(
+        self,
+        p: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"] = ...,
+        R: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 3]"] = ...,
+        velocity: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[6, 1]"] = ...,
+        acceleration: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[6, 1]"] = ...,
+    ) -> None: ...
+    @property
+    def R(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 3]"]:
+        """
+        orientation (3, 3)
+        """
+    @R.setter
+    def R(self, arg0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 3]"]) -> None: ...
+    @property
+    def acceleration(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[6, 1]"]:
+        """
+        linear, angular (6,), fed forward
+        """
+    @acceleration.setter
+    def acceleration(self, arg0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[6, 1]"]) -> None: ...
+    @property
+    def p(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        """
+        position (3,) [m]
+        """
+    @p.setter
+    def p(self, arg0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> None: ...
+    @property
+    def velocity(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[6, 1]"]:
+        """
+        linear, angular (6,) [m/s, rad/s]
+        """
+    @velocity.setter
+    def velocity(self, arg0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[6, 1]"]) -> None: ...
+
+class FrameTask(Task):
+    """
+    The frame of a body or a site follows a pose.
+    """
+    def __init__(
+        self,
+        frame: str,
+        part: str = "pose",
+        relative_to: str = "world",
+        kp: typing.SupportsFloat | typing.SupportsIndex = 400.0,
+        kd: typing.SupportsFloat | typing.SupportsIndex = 40.0,
+    ) -> None: ...
+    def follow(self, reference: collections.abc.Callable[[float], PoseReference]) -> None:
+        """
+        The reference is a function of the time since the task began [s] that returns a PoseReference.
+        """
+    def set(self, reference: PoseReference) -> None:
+        """
+        From the next cycle on, the reference is this one.
+        """
+    @property
+    def reference(self) -> PoseReference:
+        """
+        as of the last cycle
+        """
+
+class JointTask(Task):
+    """
+    Joints outside the legs follow references.
+    """
+    def __init__(
+        self,
+        joints: collections.abc.Sequence[str],
+        kp: typing.SupportsFloat | typing.SupportsIndex = 400.0,
+        kd: typing.SupportsFloat | typing.SupportsIndex = 40.0,
+    ) -> None: ...
+    def follow(self, motion: JointMotion) -> None:
+        """
+        The references follow `motion` from when the task begins.
+        """
+    def set(
+        self,
+        q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"],
+        dq: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"],
+        ddq: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"],
+    ) -> None:
+        """
+        From the next cycle on, the references are these, each (m,) [rad or m].
+        """
+
+class MomentumTask(Task):
+    """
+    The angular momentum about the COM is brought to that of turning as the walk turns.
+    """
+    def __init__(self, axes: str = "yaw", kd: typing.SupportsFloat | typing.SupportsIndex = 20.0) -> None: ...
+
+class TaskState:
+    """
+    What a task of your own is given: one instant. Good only while its compute(state) runs.
+    """
+    def frame(self, name: str) -> FrameState:
+        """
+        FrameState of a body or site: p_WF, R_WF, velocity, J (6, nv), drift (6,). The first compute(state), when the task is
+        added, chooses which frames every cycle reads.
+
+        Raises:
+            InputError: there is none of that name, or it was not asked for in the first compute.
+        """
+    @property
+    def dynamics(self) -> Dynamics:
+        """
+        Dynamics: q, dq, com, J_com, drift_com, A, b, ...
+        """
+    @property
+    def heading(self) -> float:
+        """
+        of the walk, in W [rad]
+        """
+    @property
+    def heading_rate(self) -> float:
+        """
+        planned [rad/s]
+        """
+    @property
+    def t(self) -> float:
+        """
+        since the walk was reset [s]
+        """
+
+class PythonTask(Task):
+    """
+    A Python object with compute(state) as a task.
+    """
+    def __init__(self, task: typing.Any) -> None: ...
 
 class TaskAccelerations:
     """
@@ -2920,6 +3142,11 @@ class GaitOutput:
         0 double, 1 single support
         """
     @property
+    def phase_duration(self) -> float:
+        """
+        [s]; it changes with events
+        """
+    @property
     def phase_time(self) -> float:
         """
         [s]
@@ -3010,6 +3237,13 @@ class GaitGenerator:
         """
         Starts a walk from two standing feet: COM (2,), its velocity (2,), sole centres (2, 3).
         """
+    def retime(self, remaining: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        """
+        The phase under way at the last cycle ends `remaining` [s] after that cycle, whatever it was to take.
+
+        Raises:
+            InputError: `remaining` is not finite and > 0.
+        """
     def update(
         self,
         t: typing.SupportsFloat | typing.SupportsIndex,
@@ -3018,9 +3252,10 @@ class GaitGenerator:
         soles: typing.Annotated[
             collections.abc.Sequence[typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]], "FixedSize(2)"
         ],
+        contact: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"] = ...,
     ) -> GaitOutput:
         """
-        One cycle at time t [s].
+        One cycle at time t [s]. `contact` (2,) of the left and the right foot with the ground: 1 touching, 0 not, NaN unknown; it ends a step where the setting touch_down is 'contact'.
         """
     @property
     def settings(self) -> WalkSettings:
@@ -3069,6 +3304,14 @@ class State:
         """
     @dq.setter
     def dq(self, arg0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"]) -> None: ...
+    @property
+    def external(self) -> typing.Any:
+        """
+        known forces on the robot, {body or site: (6,) force and moment at its frame's origin, world's axes [N, N m]},
+        or None
+        """
+    @external.setter
+    def external(self, arg0: typing.Any) -> None: ...
     @property
     def q(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
         """
@@ -3363,6 +3606,10 @@ class WalkingController:
             ModelError: the robot cannot be walked.
             InputError: a setting breaks a rule, or the profile is faster than the legs reach.
         """
+    def add(self, task: Task, blend: typing.SupportsFloat | typing.SupportsIndex = ...) -> None:
+        """
+        The task is met from now on; see the package's WalkingController.
+        """
     def command(
         self,
         vx: typing.SupportsFloat | typing.SupportsIndex,
@@ -3417,6 +3664,10 @@ class WalkingController:
         """
         Share of the legs' reach that walking with velocity (v_x, v_y, w_z) takes; at most 1 can be walked.
         """
+    def remove(self, task: Task, blend: typing.SupportsFloat | typing.SupportsIndex = ...) -> None:
+        """
+        The task loses its effect; see the package's WalkingController.
+        """
     @typing.overload
     def reset(self, state: State) -> None:
         """
@@ -3449,7 +3700,13 @@ class WalkingController:
         Computes the torque for a State, in the output's `tau`; changes nothing outside the controller.
         """
     @typing.overload
-    def update(self, data: typing.Any, after_step1: bool = False) -> CycleOutput:
+    def update(
+        self,
+        data: typing.Any,
+        after_step1: bool = False,
+        external: typing.Any = None,
+        contact: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"] | None = None,
+    ) -> CycleOutput:
         """
         Computes the torque for the state in `data`, writes data.ctrl, returns a copy of what was decided.
 
@@ -3457,6 +3714,10 @@ class WalkingController:
             data: mujoco.MjData.
             after_step1: mj_step1 (or mj_forward) has just run for this state, so that `data` holds kinematics,
                 inertia and bias forces already; the torque has the same bits, in half the time.
+            external: known forces on the robot, {body or site: (6,) force and moment at its frame's origin, world axes
+                [N, N m]}; None where there are none.
+            contact: (left, right), 1 where a foot touches the ground, 0 where it does not, NaN where nobody knows; None reads
+                data's own contacts of the last step, where the setting `touch_down` asks for them.
 
         Raises:
             InputError: the state is not finite, its terms belong to another, or reset() was not called; nothing is
@@ -3493,6 +3754,11 @@ class WalkingController:
         z_c over the soles [m]
         """
     @property
+    def cycles(self) -> int:
+        """
+        control cycles since the last reset
+        """
+    @property
     def description(self) -> RobotDescription: ...
     @property
     def joint_names(self) -> list[str]: ...
@@ -3514,6 +3780,11 @@ class WalkingController:
     def speed_limit(self) -> float:
         """
         largest v_x that the legs reach [m/s]
+        """
+    @property
+    def task_activations(self) -> list[float]:
+        """
+        how far each added task acts, in the order of their priority: from 0 to its weight
         """
     @property
     def torque_limit(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:

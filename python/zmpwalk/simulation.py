@@ -13,7 +13,7 @@ from typing import Any, Callable, Iterable, Mapping, Sequence, Union
 import mujoco
 import numpy as np
 
-from . import _core
+from . import _core, tasks
 from ._build import VERSION
 from .errors import InputError
 from .given import Settings, settings_of
@@ -62,6 +62,7 @@ class WalkingController(_core.WalkingController):
             profile=profile_of(profile),
         )
         self._model = model
+        self._tasks: list[dict[str, Any]] = []  # who was added, and in which cycle; who removed
 
     def __repr__(self) -> str:
         robot = f"{self.description.name}, {len(self.joint_names)} joints, {self.mass:.1f} kg"
@@ -100,6 +101,79 @@ class WalkingController(_core.WalkingController):
         Usage: `controller.move(JointMotion([0, 1], ["l_elbow"], [[-0.3], [-1.5]]))`
         """
         super().move(_NO_MOTION if motion is None else motion)
+
+    def reset(self, data: mujoco.MjData | _core.State) -> None:
+        """Read the state and start a walk there; moves nothing. Tasks that were added begin anew.
+
+        Raises:
+            InputError: the state is not finite.
+
+        Usage: `controller.reset(data)`
+        """
+        super().reset(data)
+        self._begin_tasks_anew()
+
+    def add(self, task: Any, blend: float = math.nan) -> None:  # type: ignore[override]
+        """Let the robot do something besides walking, with the joints outside the legs, from the next cycle on.
+
+        The walk's own tasks come first: contacts, swing foot, COM, trunk. The tasks that are added act in what these
+        leave free, in the order of their `priority` numbers; the posture, with the motion (`move`) and the swinging
+        arms (`momentum_arms`), has the rest. The estimate of the ZMP knows all of it. Call it between cycles.
+
+        Args:
+            task: a `FrameTask`, `JointTask`, `MomentumTask`, or an object of yours with `compute(state)`
+                (`zmpwalk.tasks.Task`).
+            blend: time within which the task gains its effect [s]; NaN takes the setting `motion_blend`.
+
+        Raises:
+            InputError: a name that the robot does not have; a task that has been added already, here or elsewhere; a
+                weight that is not above 0 and at most 1; settings that tasks do not go with (`textbook`, without
+                `posture_task` or `wrench_distribution`). Whatever the `compute` of a task of yours raises.
+
+        Usage: `controller.add(zmpwalk.FrameTask("left_hand"))`
+        """
+        for entry in self._tasks:
+            if entry["given"] is task and entry["remove"] is None:
+                raise InputError("this task has been added already")
+        core = tasks.core_task(task)
+        super().add(core, blend)
+        self._tasks.append({"given": task, "core": core, "add": [self.cycles, blend], "remove": None})
+
+    def remove(self, task: Any, blend: float = math.nan) -> None:  # type: ignore[override]
+        """Let go of a task that was added; its effect fades within `blend`. Call it between cycles.
+
+        Args:
+            task: what `add` was given.
+            blend: [s]; NaN takes the setting `motion_blend`.
+
+        Raises:
+            InputError: it has not been added, or was removed since.
+
+        Usage: `controller.remove(task, blend=1.0)`
+        """
+        for entry in self._tasks:
+            if entry["given"] is task and entry["remove"] is None:
+                super().remove(entry["core"], blend)
+                entry["remove"] = [self.cycles, blend]
+                return
+        raise InputError("this task has not been added, or has been removed since")
+
+    def _begin_tasks_anew(self) -> None:
+        """After a reset: what is still there was added before the first cycle."""
+        self._tasks = [{**entry, "add": [0, entry["add"][1]]} for entry in self._tasks if entry["remove"] is None]
+
+    def _task_record(self) -> list[dict[str, Any]]:
+        """The tasks as a trace keeps them."""
+        given = [id(entry["given"]) for entry in self._tasks]
+        return [
+            {
+                "task": tasks.to_dict(entry["given"]),
+                "same_as": given.index(id(entry["given"])),  # a task that came back
+                "add": entry["add"],
+                "remove": entry["remove"],
+            }
+            for entry in self._tasks
+        ]
 
 
 class Recorder:
@@ -158,6 +232,7 @@ def simulate(
     seed: int = 0,
     motion: _core.JointMotion | None = None,
     command: Steer | None = None,
+    tasks: Sequence[Any] = (),
 ) -> Trace:
     """Walk in MuJoCo, wholly in C++, and return the record.
 
@@ -177,6 +252,7 @@ def simulate(
             time; what it returns is commanded from the next cycle on (`WalkingController.command`): vx or (vx, vy, wz)
             in the heading frame [m/s, m/s, rad/s], None leaves the command as it is, and until the first one the
             profile leads. StopIteration ends the walk; what else it raises stops the run and passes on.
+        tasks: what the robot does besides, from the start (`WalkingController.add`).
 
     Returns:
         The trace, one row per control cycle.
@@ -191,6 +267,8 @@ def simulate(
     model, description = load_robot(robot)
     controller = WalkingController(model, description, settings, profile)
     controller.move(motion)
+    for task in tasks:
+        controller.add(task)
     return run(controller, duration, on_progress, seed, name_of(robot), command)
 
 
@@ -221,7 +299,7 @@ def simulate_batch(
         threads = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
     if isinstance(threads, bool) or not isinstance(threads, (int, np.integer)) or threads < 1:
         raise InputError(f"threads is {threads!r}; it must be an integer of at least 1")
-    known = ("robot", "profile", "duration", "settings", "seed", "motion", "command")
+    known = ("robot", "profile", "duration", "settings", "seed", "motion", "command", "tasks")
     robots: dict[Any, tuple[mujoco.MjModel, RobotDescription]] = {}
     jobs = []
     runs = list(runs)  # keeps models alive that are told apart by their id
@@ -235,6 +313,8 @@ def simulate_batch(
             robots[key] = load_robot(robot)
         controller = WalkingController(*robots[key], given.get("settings"), given.get("profile"))
         controller.move(given.get("motion"))
+        for task in given.get("tasks", ()):
+            controller.add(task)
         duration, seed = check_duration(given.get("duration", 8.0)), _check_seed(given.get("seed", 0))
         jobs.append((controller, duration, seed, name_of(robot), given.get("command")))
 
@@ -291,6 +371,7 @@ def run(
     # Always with a callback: running Python now and then is what lets Ctrl-C through.
     progress = on_progress or (lambda t, duration: None)
     steer: Any = None if command is None else lambda t, out: _velocity(command(t, out))
+    controller._begin_tasks_anew()
     columns, info = _core.simulate(controller, duration, progress, steer, command_interval)
     if info["stopped"]:
         duration = len(columns["t"]) * float(controller.settings.control_dt)
@@ -333,6 +414,8 @@ def rerun(trace: Trace, on_progress: Progress | None = None) -> Trace:
     model = trace.model
     controller = WalkingController(model, trace.description, trace.settings, trace.profile)
     controller.move(trace.motion)
+    change_tasks = _tasks_again(controller, trace)
+    change_tasks(0)
     robot = trace.meta.get("robot")
     commands = trace.get("command", np.full((len(trace.t), 3), math.nan))
     changed = set(
@@ -341,8 +424,13 @@ def rerun(trace: Trace, on_progress: Progress | None = None) -> Trace:
     if trace.meta.get("source") != "recorder":
         given = {float(trace.t[k]): commands[k + 1] for k in changed}
         duration, seed = trace.meta["requested_duration"], trace.meta.get("seed", 0)
-        command = (lambda t, out: given.get(t)) if given else None
-        return run(controller, duration, on_progress, seed, robot, command, command_interval=0.0)
+
+        def command(t: float, out: Any) -> Any:
+            change_tasks(controller.cycles)
+            return given.get(t)
+
+        steer = command if given or trace.meta.get("tasks") else None
+        return run(controller, duration, on_progress, seed, robot, steer, command_interval=0.0)
     data = mujoco.MjData(model)
     set_state(trace, model, data, 0)
     data.time = trace.t[0]
@@ -351,6 +439,8 @@ def rerun(trace: Trace, on_progress: Progress | None = None) -> Trace:
     for k in range(len(trace.t)):
         if k - 1 in changed:
             controller.command(*commands[k])
+        if k > 0:
+            change_tasks(k)
         out = controller.update(data)
         for _ in range(max(1, round(trace.control_dt / model.opt.timestep))):
             mujoco.mj_step(model, data)
@@ -358,6 +448,27 @@ def rerun(trace: Trace, on_progress: Progress | None = None) -> Trace:
         if on_progress and k % 100 == 0:
             on_progress(data.time - trace.t[0], trace.duration)
     return recorder.trace()
+
+
+def _tasks_again(controller: WalkingController, trace: Trace) -> Callable[[int], None]:
+    """Adds and removes the tasks of a trace; the result is to be called between cycles with the number of the next.
+
+    Raises:
+        InputError: a task that is in the trace by its name only.
+    """
+    recorded = trace.meta.get("tasks") or []
+    made = [tasks.from_dict(entry["task"]) for entry in recorded]
+    again = [made[entry["same_as"]] for entry in recorded]
+    changes = [(entry["add"], controller.add, task) for entry, task in zip(recorded, again)]
+    changes += [(entry["remove"], controller.remove, task) for entry, task in zip(recorded, again) if entry["remove"]]
+    changes.sort(key=lambda change: change[0][0])
+
+    def change(cycle: int) -> None:
+        while changes and changes[0][0][0] <= cycle:
+            (_, blend), act, task = changes.pop(0)
+            act(task, blend)
+
+    return change
 
 
 def set_state(trace: Trace, model: mujoco.MjModel, data: mujoco.MjData, k: int) -> None:
@@ -388,6 +499,7 @@ def _describe_run(
         "description": description_to_dict(controller.description),
         "profile": VelocityProfile.of(controller.profile).to_dict(),
         "motion": controller.motion and controller.motion.to_dict(),
+        "tasks": controller._task_record(),
         "versions": _versions(),
         "model_sha256": hashlib.sha256(compiled).hexdigest(),
         "timestep": model.opt.timestep,

@@ -131,7 +131,7 @@ BOOST_AUTO_TEST_CASE(placed_robot_stands_at_rest_with_flat_soles_on_the_ground) 
       robot.description().place(m, d.get(), ground);
       robot.read(d.get());
       const Dynamics& dyn = robot.dynamics();
-      for (const SoleState& sole : dyn.sole) {
+      for (const FrameState& sole : dyn.sole) {
         CHECK_NEAR(sole.p_WF.z(), ground, 1e-9);
         CHECK_NEAR(sole.R_WF, Mat3::Identity(), 1e-9);
       }

@@ -6,6 +6,9 @@
 #include <new>
 
 #include "robots.hpp"
+#include "zmpwalk/control/tasks/frame.hpp"
+#include "zmpwalk/control/tasks/joint.hpp"
+#include "zmpwalk/control/tasks/momentum.hpp"
 #include "zmpwalk/simulation.hpp"
 #include "zmpwalk/walk/walking_controller.hpp"
 
@@ -165,6 +168,32 @@ BOOST_AUTO_TEST_CASE(cycle_that_cuts_a_torque_allocates_nothing) {
   const Seen seen = walk(0.4, WalkSettings(), weak.get());
   stays_off_the_heap(seen);
   BOOST_CHECK(seen.saturated && seen.single && seen.both);
+}
+
+BOOST_AUTO_TEST_CASE(cycle_with_tasks_that_come_and_go_and_a_known_force_allocates_nothing) {
+  WalkSettings s;
+  s.arms.momentum = 1.0;
+  WalkingController controller(mahru(), describe(mahru()), s);
+  const MjDataPtr d = make_data(mahru());
+  controller.robot().description().place(mahru(), d.get());
+  const auto hand = std::make_shared<FrameTask>("left_hand");
+  const auto other = std::make_shared<FrameTask>("right_hand", FramePart::kOrientation, RelativeTo::kWalk);
+  const auto elbow = std::make_shared<JointTask>(std::vector<std::string>{"r_elbow"});
+  const auto momentum = std::make_shared<MomentumTask>(MomentumTask::Axes::kAll);
+  for (const std::shared_ptr<Task>& task : std::vector<std::shared_ptr<Task>>{hand, other, elbow, momentum})
+    controller.add(task);
+  controller.reset(d.get());
+  controller.set_external({{controller.watch("right_hand"), (Vec6() << 0, 0, -5, 0, 0, 0).finished()}});
+  long cycles = 0;
+  for (int k = 0; k < 2000; ++k) {
+    if (k == 600) controller.remove(*hand);
+    if (k == 900) controller.remove(*elbow);
+    if (k == 1000) controller.add(elbow);
+    cycles += allocated([&] { controller.update(d.get()); });
+    mj_step(mahru(), d.get());
+  }
+  BOOST_CHECK_EQUAL(cycles, 0);
+  BOOST_CHECK(controller.output().fell == Fall::kNone);
 }
 
 BOOST_AUTO_TEST_CASE(cycle_that_moves_waist_trunk_and_arms_allocates_nothing) {

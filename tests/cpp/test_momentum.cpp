@@ -21,7 +21,7 @@ BOOST_AUTO_TEST_CASE(yaw_momentum_is_the_sum_over_the_bodies) {
       sum += (spin + m->body_mass[body] * arm.cross(velocity)).z();
     }
     VecX c(at.dyn().nv());
-    yaw_momentum_row(at.dyn(), c);
+    momentum_row(at.dyn(), Vec3::UnitZ(), c.transpose());
     BOOST_CHECK_SMALL(c.dot(at.dyn().dq) - sum, 1e-10);
   });
 }
@@ -44,7 +44,7 @@ BOOST_AUTO_TEST_CASE(yaw_moment_is_the_derivative_of_the_yaw_momentum) {
       Robot robot(mahru(), describe(mahru()));
       robot.read(d.get());
       VecX c(n);
-      yaw_momentum_row(robot.dynamics(), c);
+      momentum_row(robot.dynamics(), Vec3::UnitZ(), c.transpose());
       return c.dot(robot.dynamics().dq);
     };
     const double slope = (momentum_after(h) - momentum_after(-h)) / (2.0 * h);

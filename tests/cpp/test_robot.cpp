@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(com_jacobian_is_the_difference_of_the_com_and_mujocos) {
 BOOST_AUTO_TEST_CASE(velocities_are_jacobian_times_dq) {
   const Placed at(mahru(), 3);
   CHECK_NEAR(at.dyn().dcom, at.dyn().J_com * at.dyn().dq, 1e-12);
-  for (const SoleState& sole : at.dyn().sole) CHECK_NEAR(sole.velocity, sole.J * at.dyn().dq, 1e-12);
+  for (const FrameState& sole : at.dyn().sole) CHECK_NEAR(sole.velocity, sole.J * at.dyn().dq, 1e-12);
   CHECK_NEAR(
       VecX(at.dyn().omega_WB),
       rate(3, at.dyn().dq, [&](const Dynamics& dyn) { return VecX(orientation_error(dyn.R_WB, at.dyn().R_WB)); }),

@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(contact_damping_slows_the_foot_that_does_not_carry_the_zmp)
   WholeBodyResult out = controller.result();
   controller.prepare(at.dyn(), at.stance, at.f);
   controller.solve(Vec2::Zero(), out);
-  const SoleState &left = at.dyn().sole[kLeft], &right = at.dyn().sole[kRight];
+  const FrameState &left = at.dyn().sole[kLeft], &right = at.dyn().sole[kRight];
   CHECK_NEAR(left.J * out.ddq + left.drift, Vec6::Zero(), 1e-9);
   CHECK_NEAR(right.J * out.ddq + right.drift, Vec6(-50.0 * right.velocity), 1e-8);
 }

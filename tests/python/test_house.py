@@ -15,6 +15,7 @@ FLOORS = [
     ["errors", "_build", "_columns", "_core"],
     ["_check_mujoco", "files", "analysis", "settings"],
     ["profiles", "motion", "given", "robots"],
+    ["tasks"],
     ["trace"],
     ["simulation"],
     ["waypoints", "bench", "render"],

@@ -11,7 +11,7 @@ Dynamics::Dynamics(int nv)
       g(VecX::Zero(nv)),
       drift_momentum(VecX::Zero(nv)),
       J_com(Mat3X::Zero(3, nv)) {
-  for (SoleState& s : sole) s.J = Mat6X::Zero(6, nv);
+  for (FrameState& s : sole) s.J = Mat6X::Zero(6, nv);
 }
 
 }  // namespace zmpwalk

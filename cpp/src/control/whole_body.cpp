@@ -3,18 +3,48 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <Eigen/QR>
-#include <algorithm>
 
 #include "zmpwalk/control/wrench_distribution.hpp"
 #include "zmpwalk/math/error.hpp"
 
 namespace zmpwalk {
+namespace {
+
+/// Joints that are in no leg. @throws DimensionError  a leg of other than six joints, or one that is not there
+std::vector<int> outside_the_legs(int nv, const std::array<std::vector<int>, 2>& legs) {
+  std::vector<bool> in_leg(static_cast<std::size_t>(nv - 6));
+  for (const auto& leg : legs) {
+    require_size("legs[side]", static_cast<long>(leg.size()), 6);
+    for (const int joint : leg) {
+      if (joint < 0 || joint >= nv - 6)
+        throw DimensionError("leg joint index " + std::to_string(joint) + " is outside 0.." + std::to_string(nv - 7));
+      in_leg[static_cast<std::size_t>(joint)] = true;
+    }
+  }
+  std::vector<int> out;
+  for (int j = 0; j < nv - 6; ++j)
+    if (!in_leg[static_cast<std::size_t>(j)]) out.push_back(j);
+  return out;
+}
+
+/// Velocity coordinates of the base's translation, then of the legs.
+std::array<int, TaskSolver::kUnknowns> unknowns_of(const std::array<std::vector<int>, 2>& legs) {
+  std::array<int, TaskSolver::kUnknowns> out{0, 1, 2};
+  for (const Side side : kSides)
+    for (int i = 0; i < 6; ++i) out[3 + 6 * side + i] = 6 + legs[side][i];
+  return out;
+}
+
+}  // namespace
 
 WholeBodyController::WholeBodyController(int nv, const std::array<std::vector<int>, 2>& legs,
                                          const WholeBodyOptions& options)
     : nv_(nv),
       legs_(legs),
+      posture_(outside_the_legs(nv, legs)),
+      unknown_(unknowns_of(legs)),
       options_(options),
+      task_solver_(unknown_, posture_),
       kernel_(&kernel(options.kernel)),
       known_(VecX::Zero(nv)),
       ddq_(Affine::Zero(nv, 4)),
@@ -22,20 +52,7 @@ WholeBodyController::WholeBodyController(int nv, const std::array<std::vector<in
       F_(Mat3::Zero()),
       M_(Mat3::Zero()),
       tau_(MatX3::Zero(nv - 6, 3)),
-      f_c_(MatX3::Zero(12, 3)) {
-  for (int i = 0; i < 3; ++i) unknown_[i] = i;
-  for (const Side side : kSides) {
-    require_size("legs[side]", static_cast<long>(legs[side].size()), 6);
-    for (int i = 0; i < 6; ++i) {
-      if (legs[side][i] < 0 || legs[side][i] >= nv - 6)
-        throw DimensionError("leg joint index " + std::to_string(legs[side][i]) + " is outside 0.." +
-                             std::to_string(nv - 7));
-      unknown_[3 + 6 * side + i] = 6 + legs[side][i];
-    }
-  }
-  for (int j = 0; j < nv - 6; ++j)
-    if (std::find(unknown_.begin() + 3, unknown_.end(), 6 + j) == unknown_.end()) posture_.push_back(j);
-}
+      f_c_(MatX3::Zero(12, 3)) {}
 
 WholeBodyResult WholeBodyController::result() const {
   WholeBodyResult out;
@@ -44,11 +61,20 @@ WholeBodyResult WholeBodyController::result() const {
   return out;
 }
 
-void WholeBodyController::prepare(const Dynamics& dynamics, const Stance& stance, const TaskAccelerations& f_star) {
+void WholeBodyController::reserve(const TaskStack& tasks) {
+  if (uses_textbook() && !tasks.entries().empty())
+    throw InputError("tasks need the direct path: textbook off, posture_task and wrench_distribution on");
+  task_solver_.reserve(tasks);
+}
+
+void WholeBodyController::prepare(const Dynamics& dynamics, const Stance& stance, const TaskAccelerations& f_star,
+                                  const TaskStack* tasks) {
   require_size("dynamics.dq", dynamics.nv(), nv_);
   require_size("f_star.posture", f_star.posture.size(), nv_ - 6);
   if (!stance.standing[kLeft] && !stance.standing[kRight])
     throw InputError("no foot stands; walking needs at least one");
+  if (tasks && (!task_solver_.fits(*tasks) || (uses_textbook() && !tasks->idle())))
+    throw InputError("these tasks are not those that reserve() was called with");
   dynamics_ = &dynamics;
   stance_ = stance;
   for (const Side side : kSides) {
@@ -59,7 +85,7 @@ void WholeBodyController::prepare(const Dynamics& dynamics, const Stance& stance
   if (uses_textbook())
     prepare_textbook(f_star);
   else
-    prepare_direct(f_star);
+    prepare_direct(f_star, tasks);
   expand_zmp();
 }
 
@@ -76,7 +102,7 @@ void WholeBodyController::expand_zmp() {
   }
 }
 
-void WholeBodyController::prepare_direct(const TaskAccelerations& f_star) {
+void WholeBodyController::prepare_direct(const TaskAccelerations& f_star, const TaskStack* tasks) {
   const Dynamics& dyn = *dynamics_;
   // Known entries of ddq: base rotation from the trunk task (base axes), posture joints from theirs.
   known_.segment<3>(3).noalias() = dyn.R_WB.transpose() * f_star.trunk;
@@ -85,7 +111,7 @@ void WholeBodyController::prepare_direct(const TaskAccelerations& f_star) {
   // Sole rows (standing: at rest; swinging: f*), COM rows.
   MotionRows rows;
   for (const Side side : kSides) {
-    const SoleState& sole = dyn.sole[side];
+    const FrameState& sole = dyn.sole[side];
     if (stance_.standing[side])
       rows.sole[side] = -sole.drift - damping_of(side) * sole.velocity;
     else
@@ -96,7 +122,13 @@ void WholeBodyController::prepare_direct(const TaskAccelerations& f_star) {
   rows.com -= dyn.J_com.lazyProduct(known_);
 
   ddq_.col(0) = known_;
+  if (tasks_acted_) ddq_.middleCols<2>(1).setZero();  // else the slopes of what is known are zero already
+  tasks_acted_ = tasks && !tasks->idle();
   if (!solve_by_leg(rows)) solve_together(rows);
+  if (tasks_acted_) {
+    task_solver_.prepare(dyn, rows_together(), damped_ ? options_.damping : 0.0);
+    task_solver_.correct(*tasks, options_.singular_task, ddq_);
+  }
 
   kernel_->multiply(nv_, dyn.A.data(), dyn.A_sparsity.spans(), ddq_.data(), w_.data());
   w_.col(0) += dyn.b + dyn.g;
@@ -143,22 +175,27 @@ bool WholeBodyController::solve_by_leg(const MotionRows& rows) {
   return true;
 }
 
-void WholeBodyController::solve_together(const MotionRows& rows) {
-  // K x = rhs for base translation and legs at once: a straight leg alone may be singular where all together are not.
+TaskSolver::Rows WholeBodyController::rows_together() const {
   const Dynamics& dyn = *dynamics_;
-  Eigen::Matrix<double, kUnknowns, kUnknowns> K;
-  Eigen::Matrix<double, kUnknowns, 3> x = Eigen::Matrix<double, kUnknowns, 3>::Zero();
+  TaskSolver::Rows K;
   for (int i = 0; i < kUnknowns; ++i)
     K.col(i) << dyn.sole[kLeft].J.col(unknown_[i]), dyn.sole[kRight].J.col(unknown_[i]), dyn.J_com.col(unknown_[i]);
+  return K;
+}
+
+void WholeBodyController::solve_together(const MotionRows& rows) {
+  // K x = rhs for base translation and legs at once: a straight leg alone may be singular where all together are not.
+  const TaskSolver::Rows K = rows_together();
+  Eigen::Matrix<double, kUnknowns, 3> x = Eigen::Matrix<double, kUnknowns, 3>::Zero();
   x.col(0) << rows.sole[kLeft], rows.sole[kRight], rows.com;
   x(12, 1) = x(13, 2) = 1.0;
 
-  const Eigen::PartialPivLU<decltype(K)> lu(K);
+  const Eigen::PartialPivLU<TaskSolver::Rows> lu(K);
   damped_ = lu.matrixLU().diagonal().cwiseAbs().minCoeff() < options_.singular_pivot;
   if (damped_) {
-    auto gram = (K * K.transpose()).eval();
+    TaskSolver::Rows gram = K * K.transpose();
     gram.diagonal().array() += options_.damping * options_.damping;
-    x = K.transpose() * Eigen::LLT<decltype(K)>(gram).solve(x);
+    x = K.transpose() * Eigen::LLT<TaskSolver::Rows>(gram).solve(x);
   } else {
     x = lu.solve(x).eval();
   }
@@ -188,7 +225,7 @@ void WholeBodyController::prepare_textbook(const TaskAccelerations& f_star) {
   f.segment<3>(3) = f_star.trunk;
   row = 6;
   if (!both) {
-    const SoleState& sole = dyn.sole[stance_.swing()];
+    const FrameState& sole = dyn.sole[stance_.swing()];
     J.middleRows<6>(row) = sole.J;
     drift.segment<6>(row) = sole.drift;
     f.segment<6>(row) = f_star.swing;
@@ -233,7 +270,7 @@ void WholeBodyController::prepare_textbook(const TaskAccelerations& f_star) {
 double WholeBodyController::yaw_moment(const Vec2& f_xy) const {
   if (!dynamics_) throw InputError("yaw_moment was called before prepare");
   const Vec3 at(1.0, f_xy.x(), f_xy.y()), arm = dynamics_->com - dynamics_->sole[stance_.support].p_WF, F = F_ * at;
-  return arm.cross(F).z() - M_.row(2).dot(at);
+  return arm.cross(F).z() - M_.row(2).dot(at) + dynamics_->M_ext.z();
 }
 
 void WholeBodyController::solve(const Vec2& f_xy, WholeBodyResult& out) const {

@@ -66,15 +66,8 @@ Robot::Robot(const mjModel* m, const RobotDescription& description)
     tendon_forces_ = tendon_forces_ || m->tendon_stiffness[t] != 0.0 || m->tendon_damping[t] != 0.0;
   for (const Side side : kSides) {
     const Foot& foot = description.feet[side];
-    SoleFrame& frame = frame_[side];
-    frame.body = foot_body_[side] = mj_name2id(m, mjOBJ_BODY, foot.body.c_str());
-    frame.p_BF = foot.sole_pos;
-    const Eigen::Vector4d& q = foot.sole_quat;
-    frame.R_BF = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
-    for (int body = frame.body; body > 0; body = m->body_parentid[body]) frame.chain.push_back(body);
-    std::reverse(frame.chain.begin(), frame.chain.end());
-    for (const int body : frame.chain)
-      for (int k = 0; k < m->body_dofnum[body]; ++k) frame.dofs.push_back(m->body_dofadr[body] + k - dof0_);
+    foot_body_[side] = mj_name2id(m, mjOBJ_BODY, foot.body.c_str());
+    frame_[side] = frame_on(foot.body, foot_body_[side], foot.sole_pos, foot.sole_quat.data());
     for (const std::string& name : foot.leg_joints)
       leg_joints_[side].push_back(m->jnt_dofadr[mj_name2id(m, mjOBJ_JOINT, name.c_str())] - dof0_ - 6);
   }
@@ -88,7 +81,7 @@ Robot::Robot(const mjModel* m, const RobotDescription& description)
   read(data_.get());
   for (const Side side : kSides) {
     const int ankle = m->dof_jntid[dof0_ + 6 + leg_joints_[side].back()];
-    const SoleState& sole = dynamics_.sole[side];
+    const FrameState& sole = dynamics_.sole[side];
     ankle_F_[side] = sole.R_WF.transpose() * (vec3(data_->xanchor + 3 * ankle) - sole.p_WF);
     const auto anchor = [&](int j) {
       const mjtNum* p = data_->xanchor + 3 * m->dof_jntid[dof0_ + 6 + j];
@@ -108,8 +101,45 @@ Robot::Robot(const mjModel* m, const RobotDescription& description)
   require_none(stand_reasons(*this, data_.get()));
 }
 
+Robot::BodyFrame Robot::frame_on(const std::string& name, int body, const Vec3& p_BF, const mjtNum* q_BF) const {
+  const Mat3 R_BF = Eigen::Quaterniond(q_BF[0], q_BF[1], q_BF[2], q_BF[3]).normalized().toRotationMatrix();
+  BodyFrame frame{name, body, p_BF, R_BF, {}};
+  std::vector<int> chain;
+  for (int b = body; b > 0; b = m_->body_parentid[b]) chain.push_back(b);
+  for (auto b = chain.rbegin(); b != chain.rend(); ++b)
+    for (int k = 0; k < m_->body_dofnum[*b]; ++k) frame.dofs.push_back(m_->body_dofadr[*b] + k - dof0_);
+  return frame;
+}
+
+int Robot::watch(const std::string& name) {
+  for (std::size_t i = 0; i < watched_.size(); ++i)
+    if (watched_[i].name == name) return static_cast<int>(i);
+  constexpr mjtNum kNoTurn[4] = {1, 0, 0, 0};
+  const int body = mj_name2id(m_, mjOBJ_BODY, name.c_str()), site = mj_name2id(m_, mjOBJ_SITE, name.c_str());
+  if (body > 0 && is_robot(body)) {
+    watched_.push_back(frame_on(name, body, Vec3::Zero(), kNoTurn));
+  } else if (site >= 0 && is_robot(m_->site_bodyid[site])) {
+    watched_.push_back(frame_on(name, m_->site_bodyid[site], vec3(m_->site_pos + 3 * site), m_->site_quat + 4 * site));
+  } else {
+    std::string known;
+    for (int b = 1; b < m_->nbody; ++b)
+      if (is_robot(b)) known += object_name(m_, mjOBJ_BODY, b) + ", ";
+    for (int s = 0; s < m_->nsite; ++s)
+      if (is_robot(m_->site_bodyid[s])) known += object_name(m_, mjOBJ_SITE, s) + ", ";
+    throw InputError("the robot has no body or site '" + name + "'; there are: " + known.substr(0, known.size() - 2));
+  }
+  dynamics_.frames.emplace_back();
+  dynamics_.frames.back().J = Mat6X::Zero(6, nv_);
+  read(data_.get());
+  return static_cast<int>(watched_.size()) - 1;
+}
+
+void Robot::apply_external(const std::vector<ExternalWrench>& external) {
+  for (const ExternalWrench& each : external) zmpwalk::apply_external(dynamics_, each);
+}
+
 int Robot::joint_about(int axis, Side side, int first, int last) const {
-  const SoleState& sole = dynamics_.sole[side];
+  const FrameState& sole = dynamics_.sole[side];
   const auto share = [&](int i) {
     return std::abs(sole.J.col(6 + leg_joints_[side][i]).tail<3>().dot(sole.R_WF.col(axis)));
   };
@@ -219,10 +249,13 @@ void Robot::collect(const mjData* d) {
   out.p_WB = vec3(d->xpos + 3 * root_body_);
   out.R_WB = ConstRowMat3Map(d->xmat + 9 * root_body_);
   out.omega_WB.noalias() = out.R_WB * out.dq.segment<3>(3);
-  for (const Side side : kSides) read_sole(frame_[side], d, out.sole[side]);
+  for (const Side side : kSides) read_frame(frame_[side], d, out.sole[side]);
+  for (std::size_t i = 0; i < watched_.size(); ++i) read_frame(watched_[i], d, out.frames[i]);
+  out.F_ext.setZero();
+  out.M_ext.setZero();
 }
 
-void Robot::read_sole(const SoleFrame& frame, const mjData* d, SoleState& out) const {
+void Robot::read_frame(const BodyFrame& frame, const mjData* d, FrameState& out) const {
   const Mat3 R_WB = ConstRowMat3Map(d->xmat + 9 * frame.body);
   out.R_WF.noalias() = R_WB * frame.R_BF;
   out.p_WF = vec3(d->xpos + 3 * frame.body);
@@ -240,7 +273,7 @@ void Robot::read_sole(const SoleFrame& frame, const mjData* d, SoleState& out) c
   const Vec3 v = vec3(cvel + 3) + omega.cross(arm);
   out.velocity << v, omega;
 
-  // Acceleration of the sole with ddq = 0: the spatial drift summed along the leg, then moved to the sole's centre.
+  // Acceleration of the frame with ddq = 0: the spatial drift summed from the root, then moved to the frame's origin.
   Vec3 angular = Vec3::Zero(), linear = Vec3::Zero();
   for (const int i : frame.dofs) {
     const mjtNum* cdof_dot = d->cdof_dot + 6 * (dof0_ + i);
@@ -252,7 +285,7 @@ void Robot::read_sole(const SoleFrame& frame, const mjData* d, SoleState& out) c
 }
 
 Vec3 Robot::sole_centre(Side side, const mjData* d) const {
-  const SoleFrame& frame = frame_[side];
+  const BodyFrame& frame = frame_[side];
   return vec3(d->xpos + 3 * frame.body) + ConstRowMat3Map(d->xmat + 9 * frame.body) * frame.p_BF;
 }
 

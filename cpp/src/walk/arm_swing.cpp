@@ -28,10 +28,11 @@ void ArmSwing::leave_to(const MotionReference& reference) {
 }
 
 void ArmSwing::command(const Dynamics& dyn, const Stance& stance, const Vec2& f_xy, double turning,
-                       const MotionReference& reference, WholeBodyController& whole_body, TaskAccelerations& f_star) {
+                       const MotionReference& reference, const TaskStack& tasks, WholeBodyController& whole_body,
+                       TaskAccelerations& f_star) {
   for (const int j : swinging_) f_star.posture[j] = 0.0;
-  whole_body.prepare(dyn, stance, f_star);
-  yaw_momentum_row(dyn, c_);
+  whole_body.prepare(dyn, stance, f_star, &tasks);
+  momentum_row(dyn, Vec3::UnitZ(), c_.transpose());
   // A robot that turns as planned keeps the momentum of turning as one body.
   double L_rest = c_.dot(dyn.dq) - turning * c_.segment<3>(3).dot(dyn.R_WB.row(2)), square = 0.0;
   for (const int j : swinging_) {

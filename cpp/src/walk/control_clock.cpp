@@ -16,6 +16,7 @@ constexpr double kEarly = 1e-3;
 void ControlClock::reset(double time) {
   start_ = last_ = next_ = time;
   started_ = true;
+  cycles_ = 0;
 }
 
 void ControlClock::require_started() const {
@@ -33,6 +34,7 @@ bool ControlClock::due(double time) const { return time >= next_ - kEarly * cont
 
 void ControlClock::tick(double time) {
   last_ = time;
+  ++cycles_;
   // From the time that was due, so that rounding does not add up; after a gap, from now.
   next_ = time - next_ < control_dt_ ? next_ + control_dt_ : time + control_dt_;
 }

@@ -7,6 +7,7 @@
 #include "zmpwalk/gait/point_walk.hpp"
 #include "zmpwalk/math/error.hpp"
 #include "zmpwalk/math/rotation.hpp"
+#include "zmpwalk/robot/robot_names.hpp"
 #include "zmpwalk/walk/proportions.hpp"
 
 namespace zmpwalk {
@@ -47,12 +48,20 @@ WalkingController::WalkingController(const mjModel* model, const RobotDescriptio
       estimator_(robot_.nv()),
       fall_(settings_),
       clock_(settings_.control.dt),
-      R_HB_(Mat3::Identity()),
+      posture_task_(robot_.joints()),
       state_(robot_.nv()),
       result_(whole_body_.result()),
       J_c_(RowMatX::Zero(12, robot_.nv())),
       drift_c_(VecX::Zero(12)) {
   robot_.friction_velocity = settings_.control.friction_velocity;
+  com_task_.kp.z() = settings_.com.kp_z;
+  com_task_.kd.z() = settings_.com.kd_z;
+  trunk_task_.kp = settings_.trunk.kp;
+  trunk_task_.kd = settings_.trunk.kd;
+  foot_task_.kp = settings_.swing.kp;
+  foot_task_.kd = settings_.swing.kd;
+  posture_task_.kp = settings_.posture.kp;
+  posture_task_.kd = settings_.posture.kd;
   f_star_.posture = VecX::Zero(robot_.joints());
   out_.tau = VecX::Zero(robot_.joints());
   for (auto& pose : out_.foot) pose.setZero();
@@ -65,13 +74,15 @@ WalkingController::WalkingController(const mjModel* model, const RobotDescriptio
 
 GaitInput WalkingController::gait_input(double t, const Vec2& com, const Vec2& dcom) const {
   const auto& [left, right] = robot_.dynamics().sole;
-  return {t,
-          com,
-          dcom,
-          {left.p_WF, right.p_WF},
-          {left.R_WF, right.R_WF},
-          tracker_.catch_up(gait_.output().orbit_ahead),
-          height_.ground()};
+  GaitInput in;
+  in.t = t;
+  in.com = com;
+  in.dcom = dcom;
+  in.p_sole = {left.p_WF, right.p_WF};
+  in.R_sole = {left.R_WF, right.R_WF};
+  in.catch_up = tracker_.catch_up(gait_.output().orbit_ahead);
+  in.ground = height_.ground();
+  return in;
 }
 
 WalkPlan WalkingController::plan(double duration, double dt) const {
@@ -91,6 +102,26 @@ void WalkingController::command(const Vec3& velocity) {
 void WalkingController::move(const JointMotion& motion) {
   body_.follow(motion);
   arms_.leave_to(body_.reference());
+}
+
+void WalkingController::add(const std::shared_ptr<Task>& task, double blend) {
+  NamesOfRobot names(robot_);
+  task->attach(names);
+  added_.add(task, robot_.nv(), std::isnan(blend) ? settings_.posture.motion_blend : blend);
+  whole_body_.reserve(added_);
+}
+
+void WalkingController::remove(const Task& task, double blend) {
+  added_.remove(task, std::isnan(blend) ? settings_.posture.motion_blend : blend);
+  whole_body_.reserve(added_);
+}
+
+void WalkingController::require_external(const std::vector<ExternalWrench>& external) const {
+  for (const ExternalWrench& each : external) {
+    if (!each.wrench.allFinite()) throw InputError("an external force or moment is not finite");
+    if (each.frame < 0 || each.frame >= static_cast<int>(robot_.dynamics().frames.size()))
+      throw InputError("an external force acts at frame " + std::to_string(each.frame) + ", which is not watched");
+  }
 }
 
 double WalkingController::knee_share(double speed) const {
@@ -162,9 +193,11 @@ void WalkingController::start() {
   out_.tau = std::move(tau);
   for (auto& pose : out_.foot) pose.setZero();
   const Vec3 forward = dyn.sole[kLeft].R_WF.col(0) + dyn.sole[kRight].R_WF.col(0);
-  R_HB_ = rotation_z(std::atan2(forward.y(), forward.x())).transpose() * dyn.R_WB;
-  fall_.reset(dyn, R_HB_, z_c);
+  trunk_task_.R_HB = rotation_z(std::atan2(forward.y(), forward.x())).transpose() * dyn.R_WB;
+  fall_.reset(dyn, trunk_task_.R_HB, z_c);
   body_.reset();
+  added_.reset();
+  whole_body_.reserve(added_);
   f_xy_.setZero();
 }
 
@@ -174,6 +207,7 @@ const CycleOutput& WalkingController::update(const State& state) {
   require_size("state.dq", state.dq.size(), robot_.nv());
   if (!state.q.allFinite() || !state.dq.allFinite())
     throw InputError("the state holds a position or velocity that is not finite");
+  require_external(state.external);
   clock_.require(state.time);
   out_.fresh = clock_.due(state.time);
   if (!out_.fresh) {
@@ -189,6 +223,7 @@ const CycleOutput& WalkingController::update(mjData* data, Terms terms, const Se
   clock_.require_started();
   robot_.require_data(data);
   if (!robot_.is_finite(data)) throw InputError("data holds a position or velocity that is not finite");
+  require_external(sensed.external);
   robot_.observe(data, state_);
   clock_.require(state_.time);
   out_.fresh = clock_.due(state_.time);
@@ -200,6 +235,9 @@ const CycleOutput& WalkingController::update(mjData* data, Terms terms, const Se
       robot_.read(state_);
     }
     static_cast<Sensed&>(state_) = sensed;
+    // What nobody has told is felt from the contacts of the last step, which are gone where mj_step1 has run.
+    if (settings_.gait.touch_down == TouchDown::kContact && terms == Terms::kCompute)
+      feel(measure_contact(robot_, data));
     cycle(state_);
   } else {
     clock_.hold(state_.time);
@@ -208,7 +246,16 @@ const CycleOutput& WalkingController::update(mjData* data, Terms terms, const Se
   return out_;
 }
 
+void WalkingController::feel(const MeasuredContact& contact) {
+  for (const Side side : kSides) {
+    if (!std::isnan(state_.contact[side])) continue;
+    state_.wrench[side] = contact.wrench.segment<6>(6 * side);
+    state_.contact[side] = std::isnan(state_.wrench[side].z()) ? 0.0 : 1.0;
+  }
+}
+
 void WalkingController::cycle(const State& state) {
+  robot_.apply_external(state.external);
   const Dynamics& dyn = robot_.dynamics();
   const double t = clock_.since_start(state.time);
   clock_.tick(state.time);
@@ -217,26 +264,30 @@ void WalkingController::cycle(const State& state) {
   // Where the walk is, and where COM and feet are to go.
   const bool measured = settings_.com.state == ComState::kMeasured;
   const Vec2 com = measured ? Vec2(dyn.com.head<2>()) : com_des_,
-             dcom = measured ? Vec2(dyn.dcom.head<2>()) : dcom_des_;
+             dcom = measured ? Vec2(dyn.dcom.head<2>()) : dcom_des_,
+             shift = forced_pendulum(dyn, height_.ground()).shift;
   if (Vec3 live; mailbox_.take(live) && live != out_.command) gait_.command(out_.command = live);
-  const GaitOutput& gait = gait_.update(gait_input(t, com, dcom));
+  GaitInput in = gait_input(t, com + shift, dcom);
+  in.contact << state.contact[kLeft], state.contact[kRight];
+  const GaitOutput& gait = gait_.update(in);
   if (height_.update(t, gait.stretch, gait_.plan(), reach_, gait_.cadence().slow.period())) {
     reference_.set_pendulum(height_.pendulum());
     gait_.set_pendulum(height_.pendulum());
   }
-  const Cycle cycle = cycle_of(t, dyn, gait, height_.pendulum(), com, dcom);
+  const Cycle cycle = cycle_of(t, dyn, gait, height_.pendulum(), com, dcom, shift);
 
   // What the whole body is asked for, but for the COM's x and y.
   body_.update(t);
+  added_.update({dyn, t, gait.heading, gait.v_plan.z()});
   command_tasks(cycle);
   stance_.standing = gait.standing;
   stance_.support = gait.support;
   stance_.lateral << left_of(gait.ahead), 0.0;
-  if (arms_.on()) arms_.command(dyn, stance_, f_xy_, gait.v_plan.z(), body_.reference(), whole_body_, f_star_);
-  whole_body_.prepare(dyn, stance_, f_star_);
+  if (arms_.on()) arms_.command(dyn, stance_, f_xy_, gait.v_plan.z(), body_.reference(), added_, whole_body_, f_star_);
+  whole_body_.prepare(dyn, stance_, f_star_, &added_);
 
   // III-C, (16), III-B: the COM's x and y, by the ZMP that they lead to. (1)-(8): the torque. (9)-(15): its ZMP.
-  decide_reference(cycle);
+  decide_reference(cycle, shift);
   whole_body_.solve(f_xy_, result_);
   limit_torque(gait);
   note(cycle);
@@ -245,39 +296,35 @@ void WalkingController::cycle(const State& state) {
 void WalkingController::command_tasks(const Cycle& cycle) {
   const Dynamics& dyn = robot_.dynamics();
   const GaitOutput& gait = *cycle.gait;
-  const WalkSettings& s = settings_;
-  f_star_.com.z() =
-      pd_acceleration(s.com.kp_z, s.com.kd_z, height_.z() - dyn.com.z(), height_.dz() - dyn.dcom.z()) + height_.ddz();
   const int n = dyn.joints();
   const MotionReference& ref = body_.reference();
-  const Turning trunk = turning(body_.at(n), body_.at(n + 1), body_.at(n + 2));
+  com_task_.p.z() = height_.z();
+  com_task_.v.z() = height_.dz();
+  com_task_.a.z() = height_.ddz();
+  f_star_.com.z() = com_task_.acceleration(dyn).z();
+  trunk_task_.turn = turning(body_.at(n), body_.at(n + 1), body_.at(n + 2));
   Mat3 R_WH = Mat3::Identity();
   R_WH.topLeftCorner<2, 2>() = cycle.R_WH;
-  const Vec3 heading_rate(0.0, 0.0, gait.v_plan.z());
-  f_star_.trunk = R_WH * trunk.alpha + heading_rate.cross(R_WH * trunk.omega);
-  f_star_.trunk += pd_acceleration(s.trunk.kp, s.trunk.kd, orientation_error(R_WH * trunk.R * R_HB_, dyn.R_WB),
-                                   Vec3(R_WH * trunk.omega + heading_rate - dyn.omega_WB));
-  f_star_.posture = ref.ddq().head(n);
-  f_star_.posture +=
-      pd_acceleration(s.posture.kp, s.posture.kd, ref.q().head(n) - dyn.q, ref.dq().head(n) - dyn.dq.tail(n));
+  f_star_.trunk = trunk_task_.acceleration(dyn, R_WH, gait.v_plan.z());
+  posture_task_.q = ref.q().head(n);
+  posture_task_.dq = ref.dq().head(n);
+  posture_task_.ddq = ref.ddq().head(n);
+  posture_task_.acceleration(dyn, f_star_.posture);
   if (gait.phase.phase == Phase::kDoubleSupport) return;
-  const SoleState& sole = dyn.sole[gait.swing];
   const SwingTarget& target = gait.swing_target;
-  Vec6 error, rate;
-  error << target.p - sole.p_WF, orientation_error(target.R, sole.R_WF);
-  rate << target.v, target.omega;
-  f_star_.swing = pd_acceleration(s.swing.kp, s.swing.kd, error, Vec6(rate - sole.velocity));
-  if (s.swing.feed_forward) {
-    f_star_.swing.head<3>() += target.a;
-    f_star_.swing.tail<3>() += target.alpha;
-  }
+  foot_task_.side = gait.swing;
+  foot_task_.reference.p = target.p;
+  foot_task_.reference.R = target.R;
+  foot_task_.reference.velocity << target.v, target.omega;
+  if (settings_.swing.feed_forward) foot_task_.reference.acceleration << target.a, target.alpha;
+  f_star_.swing = foot_task_.acceleration(dyn);
 }
 
-void WalkingController::decide_reference(const Cycle& cycle) {
+void WalkingController::decide_reference(const Cycle& cycle, const Vec2& shift) {
   const GaitOutput& gait = *cycle.gait;
   const Reference r = reference_.decide(cycle, tracker_, whole_body_);
   f_xy_ = cycle.R_WS * r.f;
-  com_des_ = cycle.to_W(r.x_d);
+  com_des_ = cycle.to_W(r.x_d) - shift;
   dcom_des_ = cycle.R_WS * r.v_d;
   out_.zmp_des = cycle.to_W(r.zmp_des);
   out_.zmp_est = cycle.to_W(r.zmp_est);

@@ -1,14 +1,16 @@
 #pragma once
 
+#include <vector>
+
 #include "zmpwalk/control/sparsity.hpp"
 #include "zmpwalk/math/types.hpp"
 
 namespace zmpwalk {
 
-/// A sole frame F: origin at the sole's centre on the sole plane, x forward, z up.
-struct SoleState {
+/// A frame F that is fixed to a body of the robot: where it is, how it moves, and how it moves with ddq.
+struct FrameState {
   Vec3 p_WF = Vec3::Zero();      ///< position in W [m]
-  Mat3 R_WF = Mat3::Identity();  ///< rotation, sole axes to world
+  Mat3 R_WF = Mat3::Identity();  ///< rotation, axes of F to world
   Vec6 velocity = Vec6::Zero();  ///< linear, angular, world axes [m/s, rad/s] = J dq
   Mat6X J;                       ///< (6, nv), linear rows first, world axes
   Vec6 drift = Vec6::Zero();     ///< Jdot dq [m/s^2, rad/s^2]
@@ -45,7 +47,12 @@ struct Dynamics {
   Mat3 R_WB = Mat3::Identity();  ///< base rotation
   Vec3 omega_WB = Vec3::Zero();  ///< base angular velocity, world axes [rad/s]
 
-  std::array<SoleState, 2> sole;  ///< left, right
+  std::array<FrameState, 2> sole;  ///< left, right: origin at the sole's centre on the sole plane, x forward, z up
+  std::vector<FrameState> frames;  ///< further frames that tasks and known forces ask for: `Robot::watch`
+
+  // Known forces on the robot, which b holds already: see `apply_external`.
+  Vec3 F_ext = Vec3::Zero();  ///< their sum, W [N]
+  Vec3 M_ext = Vec3::Zero();  ///< their moment about the COM, W [N m]
 };
 
 }  // namespace zmpwalk

@@ -7,7 +7,9 @@
 #include "zmpwalk/control/contact_space.hpp"
 #include "zmpwalk/control/dynamics.hpp"
 #include "zmpwalk/control/kernel_choice.hpp"
+#include "zmpwalk/control/task_solver.hpp"
 #include "zmpwalk/control/task_space.hpp"
+#include "zmpwalk/control/task_stack.hpp"
 #include "zmpwalk/zmp/estimate.hpp"
 
 namespace zmpwalk {
@@ -40,6 +42,8 @@ struct WholeBodyOptions {
   double damping = 1e-3;         ///< of the least-squares motion where a leg is straight [1 in rows of K]
   double singular_pivot = 1e-2;  ///< pivot below which the legs count as singular
   std::string kernel = "auto";   ///< build of the inner loops, see `kernels()`
+  double singular_task =
+      5e-3;  ///< share of a user's task's size below which its singular values are damped, see `TaskSolver`
 };
 
 /// Torque, motion and contact wrenches of one cycle.
@@ -69,8 +73,14 @@ class WholeBodyController {
   WholeBodyController(int nv, const std::array<std::vector<int>, 2>& legs, const WholeBodyOptions& options = {});
 
   /// Takes one instant. `f_star.com`'s x and y are not used here. The direct path allocates nothing.
-  /// @throws InputError no foot stands; DimensionError
-  void prepare(const Dynamics& dynamics, const Stance& stance, const TaskAccelerations& f_star);
+  ///
+  /// @param tasks  what a user adds to the walk, updated for this instant; then the motion takes `TaskSolver` too
+  /// @throws InputError no foot stands; tasks that `reserve` has not seen, or on another than the direct path; DimensionError
+  void prepare(const Dynamics& dynamics, const Stance& stance, const TaskAccelerations& f_star,
+               const TaskStack* tasks = nullptr);
+  /// Sets memory aside for `tasks`, outside the cycle, after each change of them.
+  /// @throws InputError  options that leave the direct path, which alone knows tasks
+  void reserve(const TaskStack& tasks);
 
   /// Eq. 9-15 for COM acceleration `f_xy` (2,) [m/s^2]: world x and y of the ZMP on `zmp_plane` (2,) [m].
   ///
@@ -93,7 +103,7 @@ class WholeBodyController {
   /// The feet as `prepare` found them, left and right: sole poses, which stand, and their ground.
   const std::array<Contact, 2>& feet() const { return feet_; }
 
-  /// Vertical moment of the ground on the robot about its COM, that is d/dt L_z, for COM acceleration `f_xy` [N m]. Affine in f_xy.
+  /// d/dt L_z for COM acceleration `f_xy` [N m]: the vertical moment about the COM of the ground and of known forces. Affine in f_xy.
   double yaw_moment(const Vec2& f_xy) const;
 
   /// Eq. 1-7: torque for COM acceleration `f_xy`. Writes into `out`, whose vectors are sized by `result()`.
@@ -103,9 +113,9 @@ class WholeBodyController {
   const WholeBodyOptions& options() const { return options_; }
 
  private:
-  static constexpr int kUnknowns = 15;  // base translation and two legs
+  static constexpr int kUnknowns = TaskSolver::kUnknowns;  // base translation and two legs
   // What is affine in f_xy: value at f_xy = 0, slope in x, slope in y; the fourth column is zero (see Kernel).
-  using Affine = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>;
+  using Affine = TaskSolver::Affine;
   struct MotionRows {  // right sides of the rows of the soles and the COM, the known entries of ddq brought over
     std::array<Vec6, 2> sole;
     Vec3 com;
@@ -113,9 +123,10 @@ class WholeBodyController {
 
   /// Velocity damping of a standing sole [1/s]: none on the support, whose contact holds it.
   double damping_of(Side side) const { return side == stance_.support ? 0.0 : options_.contact_damping; }
-  void prepare_direct(const TaskAccelerations& f_star);
+  void prepare_direct(const TaskAccelerations& f_star, const TaskStack* tasks);
   bool solve_by_leg(const MotionRows& rows);
   void solve_together(const MotionRows& rows);
+  TaskSolver::Rows rows_together() const;
   void prepare_textbook(const TaskAccelerations& f_star);
   void expand_zmp();
   bool uses_textbook() const { return options_.textbook || !options_.posture_task || !options_.wrench_distribution; }
@@ -130,7 +141,8 @@ class WholeBodyController {
   Stance stance_;
   std::array<Contact, 2> feet_;
   Plane plane_;
-  bool damped_ = false;
+  bool damped_ = false, tasks_acted_ = false;
+  TaskSolver task_solver_;
   const Kernel* kernel_;
   VecX known_;      // entries of ddq that the trunk and posture tasks fix
   Affine ddq_, w_;  // w = A ddq + h

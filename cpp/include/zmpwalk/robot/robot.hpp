@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "zmpwalk/control/dynamics.hpp"
+#include "zmpwalk/control/external.hpp"
 #include "zmpwalk/robot/actuation.hpp"
 #include "zmpwalk/robot/description.hpp"
 #include "zmpwalk/robot/mujoco_types.hpp"
@@ -45,6 +46,14 @@ class Robot {
   /// @throws InputError  the base in `d` has moved since the terms in `d` were computed. Allocates nothing otherwise.
   void require_computed(const mjData* d) const;
   const Dynamics& dynamics() const { return dynamics_; }
+
+  /// Index in `dynamics().frames` of the frame of a body or a site, which every `read` fills in from then on. Allocates: outside the cycle.
+  ///
+  /// A body's name is looked for first. The same name gives the same index.
+  /// @throws InputError  the robot has neither of that name; says which there are
+  int watch(const std::string& name);
+  /// Known forces (`zmpwalk::apply_external`), until the next read. Allocates nothing. @throws InputError no such frame
+  void apply_external(const std::vector<ExternalWrench>& external);
   /// The robot's own part of qpos (nv + 1,) and qvel (nv,), as last read.
   Eigen::Map<const VecX> qpos() const;
   Eigen::Map<const VecX> qvel() const;
@@ -103,17 +112,18 @@ class Robot {
   /// Of the leg joints [first, last), the one whose axis lies closest to the sole's axis `axis` at the start pose.
   int joint_about(int axis, Side side, int first, int last) const;
 
-  struct SoleFrame {
+  struct BodyFrame {
+    std::string name;
     int body;
-    Vec3 p_BF;  // in the foot body
+    Vec3 p_BF;  // in the body
     Mat3 R_BF;
-    std::vector<int> chain;  // bodies from the root to the foot
-    std::vector<int> dofs;   // robot's dof indices that move it
+    std::vector<int> dofs;  // robot's dof indices that move it, from the root on
   };
+  BodyFrame frame_on(const std::string& name, int body, const Vec3& p_BF, const double* q_BF) const;
   void copy_state(const double* q, const double* dq);  // into the robot's own mjData
   void compute();  // every term of `dynamics()`, from the state in the robot's own mjData
   void collect(const mjData* d);
-  void read_sole(const SoleFrame& frame, const mjData* d, SoleState& out) const;
+  void read_frame(const BodyFrame& frame, const mjData* d, FrameState& out) const;
 
   const mjModel* m_;
   RobotDescription description_;
@@ -121,7 +131,8 @@ class Robot {
   Dynamics dynamics_;
   int nv_, qpos0_, dof0_, root_body_;
   std::array<int, 2> foot_body_{};
-  std::array<SoleFrame, 2> frame_;
+  std::array<BodyFrame, 2> frame_;
+  std::vector<BodyFrame> watched_;
   std::vector<std::string> joint_names_;
   Actuation actuation_;
   bool tendon_forces_ = false;

@@ -3,15 +3,10 @@
 #include <array>
 #include <vector>
 
+#include "zmpwalk/control/external.hpp"
 #include "zmpwalk/math/types.hpp"
 
 namespace zmpwalk {
-
-/// A force and moment that is known to act on the robot.
-struct ExternalWrench {
-  int frame = 0;               ///< entry of `Dynamics::frames` at whose origin it acts
-  Vec6 wrench = Vec6::Zero();  ///< on the robot, world axes: force [N], moment [N m]
-};
 
 /// What is felt or known beside position and velocity; NaN means that nobody knows.
 struct Sensed {

@@ -26,9 +26,10 @@ class ArmSwing {
   void leave_to(const MotionReference& reference);
   /// Writes the accelerations of the swinging joints into `f_star.posture`. Allocates nothing.
   ///
-  /// @param f_xy COM acceleration of the cycle before, W (2,) [m/s^2]   @param turning planned rate of turning w_z [rad/s]
+  /// @param f_xy COM acceleration of the cycle before, W (2,) [m/s^2]   @param turning planned rate of turning w_z [rad/s]   @param tasks of the user's, which the arms swing around
   void command(const Dynamics& dynamics, const Stance& stance, const Vec2& f_xy, double turning,
-               const MotionReference& reference, WholeBodyController& whole_body, TaskAccelerations& f_star);
+               const MotionReference& reference, const TaskStack& tasks, WholeBodyController& whole_body,
+               TaskAccelerations& f_star);
 
  private:
   double share_, kp_, kd_;

@@ -21,12 +21,14 @@ class ControlClock {
   /// No cycle is computed at `time`.
   void hold(double time) { last_ = time; }
 
+  long cycles() const { return cycles_; }                          ///< since the walk started
   double since_start(double time) const { return time - start_; }  ///< [s]
 
  private:
   double control_dt_;
   double start_ = 0.0, last_ = 0.0, next_ = 0.0;
   bool started_ = false;
+  long cycles_ = 0;
 };
 
 }  // namespace zmpwalk

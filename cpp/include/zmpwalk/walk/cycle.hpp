@@ -24,7 +24,8 @@ struct Cycle {
 };
 
 /// @param com, dcom  "current" COM state of (16), W (2,) [m, m/s]
+/// @param shift      of the COM, measured and current, by which the pendulum knows of outer forces (`forced_pendulum`), W (2,) [m]
 Cycle cycle_of(double t, const Dynamics& dynamics, const GaitOutput& gait, const LinearInvertedPendulum& pendulum,
-               const Vec2& com, const Vec2& dcom);
+               const Vec2& com, const Vec2& dcom, const Vec2& shift);
 
 }  // namespace zmpwalk

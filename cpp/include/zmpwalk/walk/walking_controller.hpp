@@ -1,10 +1,19 @@
 #pragma once
 
+#include <memory>
+#include <string>
+
+#include "zmpwalk/control/task_stack.hpp"
+#include "zmpwalk/control/tasks/com.hpp"
+#include "zmpwalk/control/tasks/foot.hpp"
+#include "zmpwalk/control/tasks/posture.hpp"
+#include "zmpwalk/control/tasks/trunk.hpp"
 #include "zmpwalk/control/whole_body.hpp"
 #include "zmpwalk/gait/gait_generator.hpp"
 #include "zmpwalk/gait/plan.hpp"
 #include "zmpwalk/gait/velocity_tracker.hpp"
 #include "zmpwalk/math/mailbox.hpp"
+#include "zmpwalk/robot/contact_forces.hpp"
 #include "zmpwalk/robot/robot.hpp"
 #include "zmpwalk/settings/settings.hpp"
 #include "zmpwalk/walk/arm_swing.hpp"
@@ -56,7 +65,8 @@ class WalkingController {
   /// The same for the state in `data`, in which it sets the control that gives the torque.
   ///
   /// With Terms::kInData nothing is computed twice; the torque has the same bits.
-  /// @param sensed  what is felt or known beside position and velocity; nothing by default
+  /// @param sensed  what is felt or known beside position and velocity. Contacts that it leaves unknown are read from `data` with
+  ///                Terms::kCompute, where the last step has left them, if `touch_down` asks for them.
   /// @throws as above, and InputError where the terms in `data` belong to another state
   const CycleOutput& update(mjData* data, Terms terms = Terms::kCompute, const Sensed& sensed = Sensed());
 
@@ -75,6 +85,21 @@ class WalkingController {
   /// The phase under way at the last cycle ends `remaining` [s] after that cycle; see `GaitGenerator::retime`. Call it between cycles.
   /// @throws InputError  `remaining` is not finite and > 0
   void retime(double remaining) { gait_.retime(remaining); }
+
+  /// From the next cycle on, `task` is met while the robot walks, its effect rising from nothing within `blend`; it outlives `reset`.
+  ///
+  /// It acts with the joints outside the legs, in what tasks of smaller `priority` leave free; the posture takes the rest. Call it between cycles.
+  /// @param blend [s]; NaN takes the setting `motion_blend`
+  /// @throws InputError  a name that the robot does not have, a task that is there already, a weight outside 0 to 1, settings that
+  ///         leave the direct path (textbook, posture_task, wrench_distribution). Nothing is changed then.
+  void add(const std::shared_ptr<Task>& task, double blend = kNaN);
+  /// The task loses its effect within `blend` [s], NaN as above. Call it between cycles. @throws InputError  it is not there
+  void remove(const Task& task, double blend = kNaN);
+  const TaskStack& added_tasks() const { return added_; }
+  /// Control cycles since the last reset.
+  long cycles() const { return clock_.cycles(); }
+  /// Index of the frame of a body or site of the robot, where known forces may act: `Robot::watch`. Call it between cycles.
+  int watch(const std::string& name) { return robot_.watch(name); }
 
   const CycleOutput& output() const { return out_; }
   const GaitOutput& gait() const { return gait_.output(); }  ///< what the gait asked for in the last cycle
@@ -103,10 +128,12 @@ class WalkingController {
   GaitInput gait_input(double t, const Vec2& com, const Vec2& dcom) const;
   void require_startable() const;
   double start_excursion(double scale) const;  // of the COM from the first stance foot, for the plan times `scale` [m]
-  void start();                                // a walk begins with the dynamics of this instant
+  void require_external(const std::vector<ExternalWrench>& external) const;
+  void start();                               // a walk begins with the dynamics of this instant
+  void feel(const MeasuredContact& contact);  // where the state does not know better
   void cycle(const State& state);
   void command_tasks(const Cycle& cycle);
-  void decide_reference(const Cycle& cycle);
+  void decide_reference(const Cycle& cycle, const Vec2& shift);
   void limit_torque(const GaitOutput& gait);
   void note(const Cycle& cycle);  // into the output
 
@@ -124,12 +151,18 @@ class WalkingController {
   ArmSwing arms_;
   WholeBodyController whole_body_;
   ZmpEstimator estimator_;
+  TaskStack added_;  // by the user
   FallWatch fall_;
   ControlClock clock_;
   Mailbox mailbox_;
 
+  // The walk's own tasks but for the COM's x and y, each with its reference and gains.
+  ComTask com_task_;
+  TrunkTask trunk_task_;
+  FootTask foot_task_;
+  PostureTask posture_task_;
+
   GaitInput start_;
-  Mat3 R_HB_;                                              // trunk in the heading frame at the start
   Vec2 com_des_ = Vec2::Zero(), dcom_des_ = Vec2::Zero();  // previous desired state, W
   State state_;                                            // of this instant
   // What this cycle asks of the whole body, and what comes of it.

@@ -41,7 +41,7 @@ bool can_move_everywhere(const Robot& robot, Side side) {
 
 void add_leg_at_stand(const Robot& robot, Side side, Reasons& out) {
   const std::string which = side == kLeft ? "left" : "right";
-  const SoleState& sole = robot.dynamics().sole[side];
+  const FrameState& sole = robot.dynamics().sole[side];
   const double tilt = std::acos(std::clamp(sole.R_WF(2, 2), -1.0, 1.0)), height = sole.p_WF.z();
   if (tilt > kStandTilt || std::abs(height) > kStandHeight) {
     out.push_back({"stand", "at the start pose the " + which + " sole is tilted by " + number(tilt) + " rad and " +

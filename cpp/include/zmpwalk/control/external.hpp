@@ -1,0 +1,36 @@
+#pragma once
+
+#include "zmpwalk/control/dynamics.hpp"
+
+namespace zmpwalk {
+
+/// A known force on the robot: of something that it carries, pushes or is pushed by.
+struct ExternalWrench {
+  int frame = 0;               ///< index in `Dynamics::frames`
+  Vec6 wrench = Vec6::Zero();  ///< force and moment on the robot at the frame's origin, world axes [N, N m]
+};
+
+/// Lets `dynamics` know of it: A ddq + b + g + J_c' f_c = S' tau + J' w, so that b becomes b - J' w.
+///
+/// Whatever works on these terms, the torque and both ways to the estimated ZMP, then takes it into account. The motion that the torque leads
+/// to is the one that was asked for. Allocates nothing. @throws InputError  no such frame
+void apply_external(Dynamics& dynamics, const ExternalWrench& external);
+
+/// The pendulum (16) that a known force makes of the one that is free: its COM appears shifted, its gravity changed.
+struct ForcedPendulum {
+  Vec2 shift = Vec2::Zero();  ///< W [m]
+  double gravity = 0.0;       ///< [m/s^2]; T_c^2 = z_c / gravity
+};
+
+/// The pendulum under the forces that `dynamics` knows of, over a support plane at height `ground` [m].
+///
+/// With N = m g - F_z the ground's normal force, h = z - ground, and M the moment of the known force F about the COM x, the moments about the
+/// ZMP r vanish. The links' angular momentum left out, as (16) does, the sagittal one reads
+///
+///   (r_x - x) N = M_y - h (m x'' - F_x),   thus   x'' = N / (m h) (x + (M_y + h F_x) / N - r_x),
+///
+/// the lateral one the same with -M_x in place of M_y. That is the free pendulum, x'' = (g / h) (x - r), of the COM x + shift under the gravity
+/// N / m: shift = ((M_y + h F_x) / N, (h F_y - M_x) / N). To stand, the COM has to lean against the force by as much.
+ForcedPendulum forced_pendulum(const Dynamics& dynamics, double ground);
+
+}  // namespace zmpwalk

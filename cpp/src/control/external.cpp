@@ -1,0 +1,26 @@
+#include "zmpwalk/control/external.hpp"
+
+#include <Eigen/Geometry>
+
+#include "zmpwalk/math/error.hpp"
+
+namespace zmpwalk {
+
+void apply_external(Dynamics& dynamics, const ExternalWrench& external) {
+  if (external.frame < 0 || external.frame >= static_cast<int>(dynamics.frames.size()))
+    throw InputError("a force acts at frame " + std::to_string(external.frame) + "; " +
+                     std::to_string(dynamics.frames.size()) + " frames are watched");
+  const FrameState& frame = dynamics.frames[external.frame];
+  const Vec3 F = external.wrench.head<3>();
+  dynamics.b.noalias() -= frame.J.transpose() * external.wrench;
+  dynamics.F_ext += F;
+  dynamics.M_ext += external.wrench.tail<3>() + (frame.p_WF - dynamics.com).cross(F);
+}
+
+ForcedPendulum forced_pendulum(const Dynamics& dynamics, double ground) {
+  const Vec3 &F = dynamics.F_ext, &M = dynamics.M_ext;
+  const double g = dynamics.gravity.norm(), N = dynamics.mass * g - F.z(), h = dynamics.com.z() - ground;
+  return {Vec2(M.y() + h * F.x(), h * F.y() - M.x()) / N, g - F.z() / dynamics.mass};
+}
+
+}  // namespace zmpwalk
