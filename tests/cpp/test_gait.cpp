@@ -526,7 +526,7 @@ BOOST_AUTO_TEST_CASE(
 
 BOOST_AUTO_TEST_CASE(a_contact_ends_a_step_only_after_the_foot_was_in_the_air_and_late_in_its_swing) {
   WalkSettings s = settings();
-  s.touch_down = TouchDown::kContact;
+  s.gait.touch_down = TouchDown::kContact;
   /// Length of the first single support [s] of a foot that is off the ground where `flies` says so; NaN: not known.
   const auto length = [&](const std::function<double(double)>& contact, bool felt_before = true) {
     TestWalk walk(s);
@@ -542,18 +542,18 @@ BOOST_AUTO_TEST_CASE(a_contact_ends_a_step_only_after_the_foot_was_in_the_air_an
     }
   };
   const auto from_to = [](double off, double on) { return [=](double t) { return t >= off && t < on ? 0.0 : 1.0; }; };
-  const double T = s.T_ss, cycle = 1.001e-3;
+  const double T = s.gait.T_ss, cycle = 1.001e-3;
   CHECK_NEAR(length([](double) { return kNaN; }), T, cycle);             // not known: by time
   CHECK_NEAR(length(from_to(0.03, 0.5)), 0.5, cycle);                    // early
   CHECK_NEAR(length(from_to(0.03, T + 0.06)), T + 0.06, cycle);          // late
-  CHECK_NEAR(length(from_to(0.03, 9.0)), T + s.touch_down_time, cycle);  // nowhere: by time at last
+  CHECK_NEAR(length(from_to(0.03, 9.0)), T + s.gait.touch_down_time, cycle);  // nowhere: by time at last
   CHECK_NEAR(length(from_to(9.0, 9.0)), T, cycle);                       // never off the ground
   CHECK_NEAR(length([&](double t) { return t < 0.03 || (t > 0.2 && t < 0.21) || t > T ? 1.0 : 0.0; }), T,
              cycle);                                       // scuffs
   CHECK_NEAR(length(from_to(0.0, 9.0), false), T, cycle);  // a foot that was never felt ends its step by time
-  s.touch_down_share = 0.8;
+  s.gait.touch_down_share = 0.8;
   CHECK_NEAR(length(from_to(0.03, 0.3)), 0.8 * T, cycle);
-  s.touch_down = TouchDown::kTime;
+  s.gait.touch_down = TouchDown::kTime;
   CHECK_NEAR(length(from_to(0.03, 0.3)), T, cycle);
 }
 
@@ -561,7 +561,7 @@ BOOST_AUTO_TEST_CASE(
     a_landing_before_its_time_leaves_the_next_lift_off_at_its_time_and_one_after_it_the_double_support_at_its_length) {
   for (const double later : {-0.06, 0.06}) {
     WalkSettings s = settings();
-    s.touch_down = TouchDown::kContact;
+    s.gait.touch_down = TouchDown::kContact;
     TestWalk as_planned(s), disturbed(s);
     const auto until_step_8_lifts = [&](TestWalk& walk, double of_step_7) {
       double landed = kNaN;

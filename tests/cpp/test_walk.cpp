@@ -49,7 +49,7 @@ Retimed retimed(Phase phase, const std::function<double(double)>& duration) {
   bool done = false, swinging = false;
   Side support = kRight;
   SwingTarget before;
-  const double dt = controller.settings().control_dt;
+  const double dt = controller.settings().control.dt;
   while (d->time < 8.0 && out.fell == Fall::kNone) {
     out.fell = controller.update(d.get()).fell;
     mj_step(mahru(), d.get());
