@@ -543,11 +543,11 @@ BOOST_AUTO_TEST_CASE(a_contact_ends_a_step_only_after_the_foot_was_in_the_air_an
   };
   const auto from_to = [](double off, double on) { return [=](double t) { return t >= off && t < on ? 0.0 : 1.0; }; };
   const double T = s.gait.T_ss, cycle = 1.001e-3;
-  CHECK_NEAR(length([](double) { return kNaN; }), T, cycle);             // not known: by time
-  CHECK_NEAR(length(from_to(0.03, 0.5)), 0.5, cycle);                    // early
-  CHECK_NEAR(length(from_to(0.03, T + 0.06)), T + 0.06, cycle);          // late
+  CHECK_NEAR(length([](double) { return kNaN; }), T, cycle);                  // not known: by time
+  CHECK_NEAR(length(from_to(0.03, 0.5)), 0.5, cycle);                         // early
+  CHECK_NEAR(length(from_to(0.03, T + 0.06)), T + 0.06, cycle);               // late
   CHECK_NEAR(length(from_to(0.03, 9.0)), T + s.gait.touch_down_time, cycle);  // nowhere: by time at last
-  CHECK_NEAR(length(from_to(9.0, 9.0)), T, cycle);                       // never off the ground
+  CHECK_NEAR(length(from_to(9.0, 9.0)), T, cycle);                            // never off the ground
   CHECK_NEAR(length([&](double t) { return t < 0.03 || (t > 0.2 && t < 0.21) || t > T ? 1.0 : 0.0; }), T,
              cycle);                                       // scuffs
   CHECK_NEAR(length(from_to(0.0, 9.0), false), T, cycle);  // a foot that was never felt ends its step by time

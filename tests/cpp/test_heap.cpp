@@ -183,13 +183,14 @@ BOOST_AUTO_TEST_CASE(cycle_with_tasks_that_come_and_go_and_a_known_force_allocat
   for (const std::shared_ptr<Task>& task : std::vector<std::shared_ptr<Task>>{hand, other, elbow, momentum})
     controller.add(task);
   controller.reset(d.get());
-  controller.set_external({{controller.watch("right_hand"), (Vec6() << 0, 0, -5, 0, 0, 0).finished()}});
+  Sensed carried;
+  carried.external = {{controller.watch("right_hand"), (Vec6() << 0, 0, -5, 0, 0, 0).finished()}};
   long cycles = 0;
   for (int k = 0; k < 2000; ++k) {
     if (k == 600) controller.remove(*hand);
     if (k == 900) controller.remove(*elbow);
     if (k == 1000) controller.add(elbow);
-    cycles += allocated([&] { controller.update(d.get()); });
+    cycles += allocated([&] { controller.update(d.get(), Terms::kCompute, carried); });
     mj_step(mahru(), d.get());
   }
   BOOST_CHECK_EQUAL(cycles, 0);

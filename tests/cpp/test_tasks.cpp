@@ -126,8 +126,7 @@ BOOST_AUTO_TEST_CASE(both_estimates_agree_with_tasks_in_the_stack) {
     at.settle();
     at.solver.prepare(at.dyn(), at.stance, at.f, &at.stack);
     ZmpEstimator estimator(at.robot.nv());
-    estimator.update(at.dyn().A, at.dyn().b, at.dyn().g, at.J_c, at.drift_c, at.stance.standing,
-                     {at.dyn().sole[kLeft].p_WF, at.dyn().sole[kRight].p_WF}, at.stance.support);
+    estimator.update(at.dyn().A, at.dyn().b, at.dyn().g, at.J_c, at.drift_c, at.solver.feet(), at.stance.support);
     for (const Vec2& f_xy : {Vec2(0, 0), Vec2(1.5, -2.0)}) {
       WholeBodyResult out = at.solver.result();
       at.solver.solve(f_xy, out);
@@ -355,7 +354,7 @@ BOOST_AUTO_TEST_CASE(the_walks_own_tasks_stacked_are_what_the_direct_path_solves
 
     TaskAccelerations f;
     f.com = com.acceleration(dyn);
-    f.trunk = trunk.acceleration(in);
+    f.trunk = trunk.acceleration(dyn, rotation_z(in.heading), in.heading_rate);
     f.swing = foot.acceleration(dyn);
     f.posture = VecX::Zero(dyn.joints());
     posture.acceleration(dyn, f.posture);
@@ -445,8 +444,7 @@ BOOST_AUTO_TEST_CASE(a_known_force_is_in_the_equation_of_motion_and_in_both_esti
     CHECK_NEAR(at.J * out.ddq + at.drift,
                (VecX(at.f_star) << Vec2(0.4, 0.1), at.f_star.tail(at.f_star.size() - 2)).finished(), 1e-9);
     ZmpEstimator estimator(at.robot.nv());
-    estimator.update(at.dyn().A, at.dyn().b, at.dyn().g, at.J_c, at.drift_c, at.stance.standing,
-                     {at.dyn().sole[kLeft].p_WF, at.dyn().sole[kRight].p_WF}, at.stance.support);
+    estimator.update(at.dyn().A, at.dyn().b, at.dyn().g, at.J_c, at.drift_c, at.solver.feet(), at.stance.support);
     CHECK_NEAR(estimator.estimate(out.tau).zmp, at.solver.zmp(Vec2(0.4, 0.1)), 1e-9);
   });
 }
@@ -511,7 +509,7 @@ struct Carried {
   template <class Each>
   void walk_until(double t, Each&& each) {
     while (data->time < t - 1e-9) {
-      const CycleOutput& out = controller.update(data.get());
+      const CycleOutput& out = controller.update(data.get(), Terms::kCompute, sensed);
       mj_step(mahru(), data.get());
       each(out);
       BOOST_REQUIRE(out.fell == Fall::kNone);
@@ -520,8 +518,9 @@ struct Carried {
   /// Estimate minus MuJoCo's contact forces of this cycle [m].
   Vec2 estimate_error(const CycleOutput& out) const {
     const MeasuredContact contact = measure_contact(controller.robot(), data.get());
-    return out.zmp_est - measured_zmp(contact, contact.sole[out.support > 0 ? kLeft : kRight].z());
+    return out.zmp_est - measured_zmp(contact, Plane::through(contact.sole[out.support > 0 ? kLeft : kRight]));
   }
+  Sensed sensed;
   WalkingController controller;
   MjDataPtr data;
 };
@@ -610,7 +609,7 @@ BOOST_AUTO_TEST_CASE(a_known_force_at_a_hand_leaves_the_estimate_as_true_as_with
       const Vec3 arm =
           Eigen::Map<const Vec3>(walk.data->xipos + 3 * body) - Eigen::Map<const Vec3>(walk.data->xpos + 3 * body);
       Eigen::Map<Vec6>{walk.data->xfrc_applied + 6 * body} << w.head<3>(), -arm.cross(Vec3(w.head<3>()));
-      if (told) walk.controller.set_external({{frame, w}});
+      if (told) walk.sensed.external = {{frame, w}};
       if (t < 2.5) return;
       const Vec2 error = walk.estimate_error(cycle).cwiseAbs();
       out[0].push_back(error.x());

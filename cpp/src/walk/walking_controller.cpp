@@ -116,6 +116,12 @@ void WalkingController::remove(const Task& task, double blend) {
   whole_body_.reserve(added_);
 }
 
+int WalkingController::watch(const std::string& name) {
+  const int frame = robot_.watch(name);
+  state_.external.reserve(robot_.dynamics().frames.size());  // so that a cycle that is told of a force at each need not
+  return frame;
+}
+
 void WalkingController::require_external(const std::vector<ExternalWrench>& external) const {
   for (const ExternalWrench& each : external) {
     if (!each.wrench.allFinite()) throw InputError("an external force or moment is not finite");

@@ -99,7 +99,7 @@ class WalkingController {
   /// Control cycles since the last reset.
   long cycles() const { return clock_.cycles(); }
   /// Index of the frame of a body or site of the robot, where known forces may act: `Robot::watch`. Call it between cycles.
-  int watch(const std::string& name) { return robot_.watch(name); }
+  int watch(const std::string& name);
 
   const CycleOutput& output() const { return out_; }
   const GaitOutput& gait() const { return gait_.output(); }  ///< what the gait asked for in the last cycle
