@@ -134,8 +134,9 @@ void TaskSolver::descend(const TaskStack& stack, double above, double share, dou
       const double damped = square + 0.25 * std::max(least * least - square, 0.0);
       if (!(damped > 0.0)) continue;  // no joint outside the legs moves the task
       step_ = N_.lazyProduct(M.row(i).transpose());
-      da_ += step_.lazyProduct(error.row(i) / damped);
-      N_ -= step_.lazyProduct(M.row(i) / damped);
+      step_ /= damped;
+      da_ += step_.lazyProduct(error.row(i));
+      N_ -= step_.lazyProduct(M.row(i));
     }
   }
   sum_ += share * da_;
