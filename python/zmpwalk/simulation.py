@@ -441,10 +441,10 @@ def rerun(trace: Trace, on_progress: Progress | None = None) -> Trace:
             controller.command(*commands[k])
         if k > 0:
             change_tasks(k)
-        out = controller.update(data)
         for _ in range(max(1, round(trace.control_dt / model.opt.timestep))):
+            out = controller.update(data)
             mujoco.mj_step(model, data)
-        recorder.add(out, data)
+            recorder.add(out, data)
         if on_progress and k % 100 == 0:
             on_progress(data.time - trace.t[0], trace.duration)
     return recorder.trace()

@@ -21,7 +21,8 @@ class Task(Protocol):
     """A task in Python: any object with this method.
 
     `compute` runs once when the task is added, which tells its number of rows and the frames that it asks for, and
-    then in every cycle. A `priority` and a `weight` may be its attributes, as those of `FrameTask`.
+    then in every cycle. A `priority` and a `weight` may be its attributes, as those of `FrameTask`. What it raises ends
+    the cycle and passes on; the controller then needs a `reset`.
     """
 
     def compute(self, state: _core.TaskState) -> tuple[Any, Any, Any]:

@@ -423,6 +423,7 @@ BOOST_AUTO_TEST_CASE(tasks_refuse_what_they_cannot_use) {
   CHECK_THROWS(controller.add(none), InputError, "weight is 0");
   WalkingController textbook(mahru(), describe(mahru()), with([](WalkSettings& s) { s.control.textbook = true; }));
   CHECK_THROWS(textbook.add(hand("l_hand")), InputError, "tasks need the direct path");
+  BOOST_CHECK(textbook.added_tasks().entries().empty());
 }
 
 // --- known forces

@@ -262,6 +262,33 @@ def test_a_walk_with_tasks_made_of_numbers_runs_again_bit_for_bit(mahru, tmp_pat
     assert Trace.load(trace.save(tmp_path / "walk.npz")).rerun().identical(trace)
 
 
+def test_tasks_that_came_and_went_while_walking_do_so_again(mahru):
+    walk = Loop(mahru, control_dt=0.002)
+    hand, elbow = FrameTask("left_hand"), JointTask({"r_elbow": -1.0})
+    walk.until(0.1)
+    walk.controller.add(hand)
+    walk.until(0.253)
+    walk.controller.add(elbow, blend=0.2)
+    walk.controller.remove(hand, blend=0.3)
+    walk.until(0.4)
+    walk.controller.add(hand)  # before it was gone
+    walk.until(0.8)
+    trace = walk.recorder.trace()
+    assert [entry["same_as"] for entry in trace.meta["tasks"]] == [0, 1, 0]
+    assert trace.rerun() == trace
+
+    def steer(t, out):
+        if abs(t - 0.2) < 1e-9:
+            controller.add(task)
+        if abs(t - 0.4) < 1e-9:
+            controller.remove(task, blend=0.1)
+
+    controller, task = zmpwalk.WalkingController(*mahru), MomentumTask("all")
+    trace = zmpwalk.simulation.run(controller, 0.7, robot="mahru", command=steer)
+    assert len(trace.meta["tasks"]) == 1
+    assert trace.rerun() == trace
+
+
 def test_a_task_that_was_set_by_code_is_not_run_again(mahru):
     task = FrameTask("left_hand", "position", position=[0.1, 0.3, 0.6])
     task.set(position=[0.1, 0.3, 0.7])

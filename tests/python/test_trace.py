@@ -340,6 +340,21 @@ def test_loop_in_python_is_the_loop_in_cpp(walked, tmp_path):
     assert trace.meta["fell"] is False
 
 
+def test_a_loop_whose_torque_is_held_for_several_time_steps_runs_again():
+    model, description = zmpwalk.load_robot("mahru")
+    data = mujoco.MjData(model)
+    description.place(model, data)
+    controller = zmpwalk.WalkingController(model, description, zmpwalk.WalkSettings(control_dt=0.004))
+    controller.reset(data)
+    recorder = zmpwalk.Recorder(controller)
+    while data.time < 0.3 - 1e-9:
+        out = controller.update(data)
+        mujoco.mj_step(model, data)
+        recorder.add(out, data)
+    assert len(recorder.trace().t) == 75
+    assert recorder.trace().rerun() == recorder.trace()
+
+
 def test_model_of_another_mujoco_or_a_damaged_one_is_refused(walked):
     other = Trace(walked, {**walked.meta, "versions": {"mujoco": "9.9.9"}}, walked._model)
     with pytest.raises(ModelError, match=r"MuJoCo 9\.9\.9"):

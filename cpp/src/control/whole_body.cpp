@@ -61,11 +61,12 @@ WholeBodyResult WholeBodyController::result() const {
   return out;
 }
 
-void WholeBodyController::reserve(const TaskStack& tasks) {
-  if (uses_textbook() && !tasks.entries().empty())
+void WholeBodyController::require_tasks_possible() const {
+  if (uses_textbook())
     throw InputError("tasks need the direct path: textbook off, posture_task and wrench_distribution on");
-  task_solver_.reserve(tasks);
 }
+
+void WholeBodyController::reserve(const TaskStack& tasks) { task_solver_.reserve(tasks); }
 
 void WholeBodyController::prepare(const Dynamics& dynamics, const Stance& stance, const TaskAccelerations& f_star,
                                   const TaskStack* tasks) {
@@ -73,8 +74,9 @@ void WholeBodyController::prepare(const Dynamics& dynamics, const Stance& stance
   require_size("f_star.posture", f_star.posture.size(), nv_ - 6);
   if (!stance.standing[kLeft] && !stance.standing[kRight])
     throw InputError("no foot stands; walking needs at least one");
-  if (tasks && (!task_solver_.fits(*tasks) || (uses_textbook() && !tasks->idle())))
+  if (tasks && !task_solver_.fits(*tasks))
     throw InputError("these tasks are not those that reserve() was called with");
+  if (tasks && !tasks->idle()) require_tasks_possible();
   dynamics_ = &dynamics;
   stance_ = stance;
   for (const Side side : kSides) {

@@ -105,6 +105,7 @@ void WalkingController::move(const JointMotion& motion) {
 }
 
 void WalkingController::add(const std::shared_ptr<Task>& task, double blend) {
+  whole_body_.require_tasks_possible();
   NamesOfRobot names(robot_);
   task->attach(names);
   added_.add(task, robot_.nv(), std::isnan(blend) ? settings_.posture.motion_blend : blend);
@@ -232,14 +233,14 @@ const CycleOutput& WalkingController::update(mjData* data, Terms terms, const Se
   require_external(sensed.external);
   robot_.observe(data, state_);
   clock_.require(state_.time);
-  out_.fresh = clock_.due(state_.time);
-  if (out_.fresh) {
-    if (terms == Terms::kInData) {
-      robot_.require_computed(data);
+  const bool due = clock_.due(state_.time);
+  if (due && terms == Terms::kInData) robot_.require_computed(data);
+  out_.fresh = due;
+  if (due) {
+    if (terms == Terms::kInData)
       robot_.read_computed(data);
-    } else {
+    else
       robot_.read(state_);
-    }
     static_cast<Sensed&>(state_) = sensed;
     // What nobody has told is felt from the contacts of the last step, which are gone where mj_step1 has run.
     if (settings_.gait.touch_down == TouchDown::kContact && terms == Terms::kCompute)

@@ -79,8 +79,9 @@ class WholeBodyController {
   void prepare(const Dynamics& dynamics, const Stance& stance, const TaskAccelerations& f_star,
                const TaskStack* tasks = nullptr);
   /// Sets memory aside for `tasks`, outside the cycle, after each change of them.
-  /// @throws InputError  options that leave the direct path, which alone knows tasks
   void reserve(const TaskStack& tasks);
+  /// @throws InputError  the options leave the direct path, which alone knows tasks
+  void require_tasks_possible() const;
 
   /// Eq. 9-15 for COM acceleration `f_xy` (2,) [m/s^2]: world x and y of the ZMP on `zmp_plane` (2,) [m].
   ///
