@@ -121,6 +121,12 @@ void bind_walking_controller(py::module_& m) {
           "settings", [](const WalkingController& c) { return c.settings(); },
           "WalkSettings in force, every NaN filled in")
       .def_property_readonly("profile", &WalkingController::profile)
+      .def("retime", &WalkingController::retime, "remaining"_a,
+           "The phase under way, single or double support, ends `remaining` [s] after the last cycle; the swing foot "
+           "goes on "
+           "from where\nit is without a jump. Call it between cycles.\n\nRaises:\n    InputError: not finite and > 0. "
+           "A robot that stands "
+           "stays as it is.")
       .def("move", &WalkingController::move, "motion"_a,
            "Joints outside the legs, and the trunk, follow `motion` from now on; see the package's WalkingController.")
       .def_property_readonly("motion", &WalkingController::motion)

@@ -3681,6 +3681,14 @@ class WalkingController:
         Raises:
             InputError: the state is not finite.
         """
+    def retime(self, remaining: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        """
+        The phase under way, single or double support, ends `remaining` [s] after the last cycle; the swing foot goes on from where
+        it is without a jump. Call it between cycles.
+
+        Raises:
+            InputError: not finite and > 0. A robot that stands stays as it is.
+        """
     def state(self, data: typing.Any) -> State:
         """
         The robot's part of `data` as plain numbers: time, position and velocity. What feet feel is left unknown.

@@ -115,3 +115,26 @@ def test_the_cycle_goes_by_the_time_of_the_state_whatever_the_rate_of_the_calls(
             np.testing.assert_array_equal(seldom.update(read(seldom, data)).tau, out.tau)
         assert out.fresh == (step % 4 == 0)
         mujoco.mj_step(model, data)
+
+
+@pytest.mark.parametrize("factor", [0.7, 1.3])
+def test_a_single_support_that_takes_another_time_ends_then_and_the_robot_walks_on(walker, factor):
+    controller, model, data = walker(profile=[(0, 0), (1, 0.2)])
+    controller.reset(data)
+    changed, ends, phase = None, None, 0
+    while data.time < 8.0:
+        out = controller.update(data)
+        assert not out.fell, out.fall_cause
+        if changed is None and data.time > 3.0 and out.phase == 1 and out.phase_time > 0.2:
+            changed = factor * (controller.settings.T_ss - out.phase_time)
+            controller.retime(changed)
+            ends = data.time + changed
+        if ends is not None and phase == 1 and out.phase == 0:
+            assert data.time == pytest.approx(ends, abs=2e-3)
+            ends = None
+        phase = out.phase
+        mujoco.mj_step(model, data)
+    assert changed is not None and ends is None
+    for bad in (0.0, -1.0, np.nan):
+        with pytest.raises(zmpwalk.InputError, match="remaining"):
+            controller.retime(bad)
