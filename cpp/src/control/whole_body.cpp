@@ -74,8 +74,7 @@ void WholeBodyController::prepare(const Dynamics& dynamics, const Stance& stance
   require_size("f_star.posture", f_star.posture.size(), nv_ - 6);
   if (!stance.standing[kLeft] && !stance.standing[kRight])
     throw InputError("no foot stands; walking needs at least one");
-  if (tasks && !task_solver_.fits(*tasks))
-    throw InputError("these tasks are not those that reserve() was called with");
+  if (tasks && !task_solver_.fits(*tasks)) throw InputError("these tasks are not those that reserve() was called with");
   if (tasks && !tasks->idle()) require_tasks_possible();
   dynamics_ = &dynamics;
   stance_ = stance;
