@@ -203,3 +203,26 @@ BOOST_AUTO_TEST_CASE(a_phase_that_takes_another_time_leaves_the_swing_foot_smoot
       BOOST_CHECK_LE(walk.off, 0.01);
     }
 }
+
+BOOST_AUTO_TEST_CASE(steps_that_end_by_measured_contact_are_those_that_end_by_time_on_ground_that_is_as_planned) {
+  const auto walk = [](TouchDown touch_down) {
+    const WalkSettings s = with([&](WalkSettings& w) { w.gait.touch_down = touch_down; });
+    WalkingController controller(mahru(), describe(mahru()), s);
+    const MjDataPtr d = make_data(mahru());
+    controller.robot().description().place(mahru(), d.get());
+    controller.reset(d.get());
+    std::vector<double> landings;
+    Phase phase = Phase::kDoubleSupport;
+    while (d->time < 8.0 && controller.update(d.get()).fell == Fall::kNone) {
+      mj_step(mahru(), d.get());
+      const GaitPhase& now = controller.gait().phase;
+      if (now.phase == Phase::kDoubleSupport && phase == Phase::kSingleSupport) landings.push_back(d->time);
+      phase = now.phase;
+    }
+    BOOST_CHECK_EQUAL(landings.size(), 9U);
+    return landings;
+  };
+  const std::vector<double> by_time = walk(TouchDown::kTime), by_contact = walk(TouchDown::kContact);
+  for (std::size_t n = 0; n < std::min(by_time.size(), by_contact.size()); ++n)
+    CHECK_NEAR(by_contact[n], by_time[n], 0.02);
+}

@@ -143,8 +143,7 @@ bool GaitGenerator::has_landed(const GaitInput& in) {
   }
   if (!flies || !felt_[out_.swing] || schedule_.waited() + dt > settings_.gait.touch_down_time) return true;
   schedule_.wait(in.t + dt);
-  if (swing_ != Swing::kOverdue)
-    swing_foot_.replan(since, settings_.gait.touch_down_time, swing_foot_.z_land() - settings_.gait.touch_down_depth);
+  if (swing_ != Swing::kOverdue) swing_foot_.sink(since, settings_.gait.touch_down_time);
   swing_ = Swing::kOverdue;
   return false;
 }
@@ -182,9 +181,10 @@ void GaitGenerator::move_swing_foot(const GaitInput& in) {
   const double t = out_.phase.time, duration = out_.phase.duration;
   if (began_ == Began::kSingleSupport) {
     const double z_land = std::isnan(in.ground) ? in.p_sole[other(out_.swing)].z() : in.ground;
-    swing_foot_.begin(in.p_sole[out_.swing], in.R_sole[out_.swing], duration, z_land, settings_.swing.height);
+    const double speed = settings_.gait.touch_down == TouchDown::kContact ? settings_.gait.touch_down_speed : 0.0;
+    swing_foot_.begin(in.p_sole[out_.swing], in.R_sole[out_.swing], duration, z_land, settings_.swing.height, speed);
   } else if (swing_ != Swing::kOverdue && duration != swing_foot_.duration()) {
-    swing_foot_.replan(t, duration - t, swing_foot_.z_land());
+    swing_foot_.replan(t, duration - t);
   }
   out_.swing_target = swing_foot_.update(t, settings_.control.dt, out_.foothold);
 }

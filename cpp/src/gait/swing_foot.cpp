@@ -14,23 +14,26 @@ constexpr double kAtTop = 1e-6;  // a foot nearer to its top than this counts as
 
 Motion1 sum(const Motion1& a, const Motion1& b) { return {a.p + b.p, a.v + b.v, a.a + b.a}; }
 
-/// Velocity at a knot `h_0` after (p_0, v_0) and `h_1` before (p_1, 0), such that the cubics on both sides have one acceleration there.
-double knot_velocity(double p_0, double v_0, double h_0, double p, double h_1, double p_1) {
-  return (3.0 * ((p - p_0) / (h_0 * h_0) + (p_1 - p) / (h_1 * h_1)) - v_0 / h_0) / (2.0 / h_0 + 2.0 / h_1);
+/// Velocity at a knot p, `h_0` after (p_0, v_0) and `h_1` before (p_1, v_1), such that the cubics on both sides have one acceleration there.
+double knot_velocity(double p_0, double v_0, double h_0, double p, double h_1, double p_1, double v_1) {
+  return (3.0 * ((p - p_0) / (h_0 * h_0) + (p_1 - p) / (h_1 * h_1)) - v_0 / h_0 - v_1 / h_1) / (2.0 / h_0 + 2.0 / h_1);
 }
 
 }  // namespace
 
-void SwingFoot::begin(const Vec3& p, const Mat3& R, double duration, double z_land, double height) {
+void SwingFoot::begin(const Vec3& p, const Mat3& R, double duration, double z_land, double height, double speed) {
   duration_ = duration;
   z_land_ = z_land;
+  speed_ = speed;
   top_ = std::max(p.z(), z_land) + height;
   start_ = fade_ = 0.0;
   // Between ends at different heights, the longer way takes more time: at the top both cubics have one acceleration.
   const double up = std::sqrt(top_ - p.z()), down = std::sqrt(top_ - z_land);
   rise_ = duration * (std::abs(p.z() - z_land) < kLevel ? 0.5 : up / (up + down));
-  up_ = Cubic(p.z(), 0.0, top_, 0.0, rise_);
-  down_ = Cubic(top_, 0.0, z_land, 0.0, duration - rise_);
+  const double fall = duration - rise_;
+  const double v_top = speed > 0.0 ? knot_velocity(p.z(), 0.0, rise_, top_, fall, z_land, -speed) : 0.0;
+  up_ = Cubic(p.z(), 0.0, top_, v_top, rise_);
+  down_ = Cubic(top_, v_top, z_land, -speed, fall);
   to_ << p.head<2>(), yaw_of(R);
   for (int i = 0; i < 3; ++i) next_[i] = {to_[i], 0.0, 0.0};
   target_ = SwingTarget{};
@@ -43,7 +46,13 @@ Motion1 SwingFoot::height(double t) const {
   return since < rise_ ? up_.at(since) : down_.at(since - rise_);
 }
 
-void SwingFoot::replan(double t, double left, double z_land) {
+void SwingFoot::sink(double t, double time) {
+  z_land_ -= 2.0 / 3.0 * speed_ * time;
+  speed_ = 0.0;
+  replan(t, time);
+}
+
+void SwingFoot::replan(double t, double left) {
   // A foot that is late goes on from the end of its splines as it ended.
   const double late = std::max(t - duration_, 0.0);
   const auto now = [&](int i, const Motion1& spline) {
@@ -58,17 +67,16 @@ void SwingFoot::replan(double t, double left, double z_land) {
   const double to_top = start_ + rise_ - t;
   if (to_top > kAtTop) {
     rise_ = to_top * left / (duration_ - t);
-    const double fall = left - rise_, v_top = knot_velocity(z.p, z.v, rise_, top_, fall, z_land);
+    const double fall = left - rise_, v_top = knot_velocity(z.p, z.v, rise_, top_, fall, z_land_, -speed_);
     up_ = Cubic(z.p, z.v, top_, v_top, rise_);
-    down_ = Cubic(top_, v_top, z_land, 0.0, fall);
+    down_ = Cubic(top_, v_top, z_land_, -speed_, fall);
     beside_[3] = z.a - up_.at(0.0).a;
   } else {
     rise_ = 0.0;
-    down_ = Cubic(z.p, z.v, z_land, 0.0, left);
+    down_ = Cubic(z.p, z.v, z_land_, -speed_, left);
     beside_[3] = z.a - down_.at(0.0).a;
   }
   duration_ = t + left;
-  z_land_ = z_land;
   start_ = t;
   fade_ = left;
 }

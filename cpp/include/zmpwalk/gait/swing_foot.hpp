@@ -25,10 +25,13 @@ class SwingFoot {
  public:
   /// @param p, R      sole at lift-off   @param duration of the single support [s]
   /// @param z_land    height at which the sole lands [m]   @param height  of the top over the higher of both ends [m]
-  void begin(const Vec3& p, const Mat3& R, double duration, double z_land, double height);
-  /// From the next `update` on, at `t` [s] since lift-off, the foot is to land `left` [s] > 0 later, at height `z_land` [m]. A foot that
-  /// still rises passes its top after the same share of the time left as before; one that comes down goes on down.
-  void replan(double t, double left, double z_land);
+  /// @param speed     at which it comes down there [m/s]
+  void begin(const Vec3& p, const Mat3& R, double duration, double z_land, double height, double speed = 0.0);
+  /// From the next `update` on, at `t` [s] since lift-off, the foot is to land `left` [s] > 0 later. A foot that still rises passes its
+  /// top after the same share of the time left as before; one that comes down goes on down.
+  void replan(double t, double left);
+  /// The foot met no ground: from the next `update` on, at `t` [s], it goes on down for `time` [s], ever slower.
+  void sink(double t, double time);
 
   /// @param t since lift-off [s]   @param dt control period [s]
   /// The horizontal spline runs from where it is to the foothold in what is left of the time, and arrives at rest.
@@ -36,12 +39,11 @@ class SwingFoot {
 
   const SwingTarget& target() const { return target_; }
   double duration() const { return duration_; }  ///< from lift-off to landing [s]
-  double z_land() const { return z_land_; }      ///< height at which the sole is to land [m]
 
  private:
   Motion1 height(double t) const;  // of the splines alone
 
-  double duration_ = 0.0, z_land_ = 0.0, top_ = 0.0;
+  double duration_ = 0.0, z_land_ = 0.0, top_ = 0.0, speed_ = 0.0;
   // Up from `start_` on for `rise_` [s], then down.
   double start_ = 0.0, rise_ = 0.0;
   Cubic up_, down_;

@@ -34,7 +34,7 @@ struct GaitSettings {
   bool stand = true;
   double stand_gain = 1.0, closing_distance = kNaN, closing_turn = 0.05;
   TouchDown touch_down = TouchDown::kTime;
-  double touch_down_share = 0.5, touch_down_time = kNaN, touch_down_depth = kNaN;
+  double touch_down_share = 0.5, touch_down_time = kNaN, touch_down_speed = kNaN;
 
   template <class Self, class Visitor>
   static void rows(Self& g, Visitor&& v) {
@@ -83,9 +83,11 @@ struct GaitSettings {
     v(g.touch_down_time, "touch_down_time", "touch_down_time", "s", must_be::kNotNegative, {0.5, of::kTimeConstant},
       "How long a swing foot that meets no ground at its planned time goes on down, until the step ends by time. Only "
       "where touch_down is 'contact'.");
-    v(g.touch_down_depth, "touch_down_depth", "touch_down_depth", "m", must_be::kNotNegative, {0.01, of::kComHeight},
-      "How far a swing foot that meets no ground at its planned time goes down below the planned height. Its speed "
-      "stays below about twice touch_down_depth / touch_down_time. Only where touch_down is 'contact'.");
+    v(g.touch_down_speed, "touch_down_speed", "touch_down_speed", "m/s", must_be::kNotNegative,
+      {0.02, of::kFroudeSpeed},
+      "Speed at which a swing foot comes down onto the ground. A foot that meets none at its planned time goes on at "
+      "this speed, ever slower: within touch_down_time by two thirds of touch_down_speed times touch_down_time. Only "
+      "where touch_down is 'contact'; by time, a foot lands at rest.");
   }
 };
 
