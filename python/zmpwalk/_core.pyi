@@ -157,7 +157,7 @@ class GaitSettingsDict(typing.TypedDict, total=False):
     touch_down: typing.Literal["time", "contact"]
     touch_down_share: float
     touch_down_time: float
-    touch_down_depth: float
+    touch_down_speed: float
 
 class StepsSettingsDict(typing.TypedDict, total=False):
     mode: typing.Literal["tied", "absolute", "paper", "printed", "list"] | typing.Sequence[float]
@@ -306,7 +306,7 @@ class WalkSettings:
         touch_down: typing.Literal["time", "contact"] = ...,
         touch_down_share: float = ...,
         touch_down_time: float = ...,
-        touch_down_depth: float = ...,
+        touch_down_speed: float = ...,
         steps: StepsSettings | StepsSettingsDict = ...,
         footsteps: typing.Literal["tied", "absolute", "paper", "printed", "list"] | typing.Sequence[float] = ...,
         step_lengths: typing.Sequence[float] = ...,
@@ -418,7 +418,7 @@ class WalkSettings:
                 touch_down: What ends a step: 'time' alone, or 'contact': the step ends when the swing foot is felt to touch the ground, before or after the planned time. A foot whose contact is not known, or was never felt, ends its step by time. One of 'time', 'contact'. Default: 'time'.
                 touch_down_share: Share of the single support before which a contact of the swing foot does not end the step: a foot that has just lifted may scuff the ground. Only where touch_down is 'contact'. Default: 0.5.
                 touch_down_time: How long a swing foot that meets no ground at its planned time goes on down, until the step ends by time. Only where touch_down is 'contact'. Unit: s. Default: 0.5 T_c.
-                touch_down_depth: How far a swing foot that meets no ground at its planned time goes down below the planned height. Its speed stays below about twice touch_down_depth / touch_down_time. Only where touch_down is 'contact'. Unit: m. Default: 0.01 z_c.
+                touch_down_speed: Speed at which a swing foot comes down onto the ground. A foot that meets none at its planned time goes on at this speed, ever slower: within touch_down_time by two thirds of touch_down_speed times touch_down_time. Only where touch_down is 'contact'; by time, a foot lands at rest. Unit: m/s. Default: 0.02 sqrt(g z_c).
             steps: Where the feet are set down. A dict, or StepsSettings.
                 mode (footsteps): What decides where a foot lands: 'tied' follows the COM, which keeps the walk balanced; 'absolute' takes the places of the plan; 'paper' and 'printed' take the step lengths of section IV, corrected and as printed; 'list' takes steps.lengths. Python and files take a list of lengths here as well. One of 'tied', 'absolute', 'paper', 'printed', 'list'. Default: 'tied'.
                 lengths (step_lengths): How far each step lands ahead of the standing foot, one number per step; the last one repeats. Tied footsteps do not use it. Unit: m. Default: [].
@@ -530,7 +530,7 @@ class WalkSettings:
         touch_down: typing.Literal["time", "contact"] = ...,
         touch_down_share: float = ...,
         touch_down_time: float = ...,
-        touch_down_depth: float = ...,
+        touch_down_speed: float = ...,
         steps: StepsSettings | StepsSettingsDict = ...,
         footsteps: typing.Literal["tied", "absolute", "paper", "printed", "list"] | typing.Sequence[float] = ...,
         step_lengths: typing.Sequence[float] = ...,
@@ -772,10 +772,10 @@ class WalkSettings:
     @touch_down_time.setter
     def touch_down_time(self, value: float) -> None: ...
     @property
-    def touch_down_depth(self) -> float:
-        """gait.touch_down_depth: How far a swing foot that meets no ground at its planned time goes down below the planned height. Its speed stays below about twice touch_down_depth / touch_down_time. Only where touch_down is 'contact'. Unit: m. Default: 0.01 z_c."""
-    @touch_down_depth.setter
-    def touch_down_depth(self, value: float) -> None: ...
+    def touch_down_speed(self) -> float:
+        """gait.touch_down_speed: Speed at which a swing foot comes down onto the ground. A foot that meets none at its planned time goes on at this speed, ever slower: within touch_down_time by two thirds of touch_down_speed times touch_down_time. Only where touch_down is 'contact'; by time, a foot lands at rest. Unit: m/s. Default: 0.02 sqrt(g z_c)."""
+    @touch_down_speed.setter
+    def touch_down_speed(self, value: float) -> None: ...
     @property
     def footsteps(self) -> typing.Literal["tied", "absolute", "paper", "printed", "list"]:
         """steps.mode: What decides where a foot lands: 'tied' follows the COM, which keeps the walk balanced; 'absolute' takes the places of the plan; 'paper' and 'printed' take the step lengths of section IV, corrected and as printed; 'list' takes steps.lengths. Python and files take a list of lengths here as well. One of 'tied', 'absolute', 'paper', 'printed', 'list'. Default: 'tied'."""
@@ -1236,10 +1236,10 @@ class GaitSettings:
     @touch_down_time.setter
     def touch_down_time(self, value: float) -> None: ...
     @property
-    def touch_down_depth(self) -> float:
-        """How far a swing foot that meets no ground at its planned time goes down below the planned height. Its speed stays below about twice touch_down_depth / touch_down_time. Only where touch_down is 'contact'. Unit: m. Default: 0.01 z_c."""
-    @touch_down_depth.setter
-    def touch_down_depth(self, value: float) -> None: ...
+    def touch_down_speed(self) -> float:
+        """Speed at which a swing foot comes down onto the ground. A foot that meets none at its planned time goes on at this speed, ever slower: within touch_down_time by two thirds of touch_down_speed times touch_down_time. Only where touch_down is 'contact'; by time, a foot lands at rest. Unit: m/s. Default: 0.02 sqrt(g z_c)."""
+    @touch_down_speed.setter
+    def touch_down_speed(self, value: float) -> None: ...
 
 class StepsSettings:
     """

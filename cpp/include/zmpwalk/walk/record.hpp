@@ -61,7 +61,7 @@ struct Parts {
   int width(int nv) const { return count + (and_nv ? nv : 0); }
 };
 inline constexpr Parts kOne{1, ""}, kXy{2, "x y"}, kXyz{3, "x y z"}, kPlanar{3, "x y yaw"}, kPlane{4, "nx ny nz d"},
-    kPose{7, "x y z qw qx qy qz"}, kJoints{-6, "joints", true}, kVelocities{0, "nv", true},
+    kPoseParts{7, "x y z qw qx qy qz"}, kJoints{-6, "joints", true}, kVelocities{0, "nv", true},
     kPositions{1, "nv + 1", true},
     kWrenches{12,
               "left_fx left_fy left_fz left_mx left_my left_mz right_fx right_fy right_fz right_mx right_my right_mz"};
@@ -74,7 +74,7 @@ inline constexpr Parts kOne{1, ""}, kXy{2, "x y"}, kXyz{3, "x y z"}, kPlanar{3, 
 template <class Visitor>
 void visit_columns(Visitor&& v) {
   using Out = CycleOutput;
-  using Cycle = RecordedCycle;
+  using After = RecordedCycle;  // once the step is done
   v("t", &Out::t, kOne, "s", "", "Time in the simulation of the state that this cycle read.");
   v("com", &Out::com, kXyz, "m", "W", "Measured position of the centre of mass (COM).");
   v("dcom", &Out::dcom, kXyz, "m/s", "W", "Measured velocity of the COM.");
@@ -98,7 +98,7 @@ void visit_columns(Visitor&& v) {
   v("zmp_ref", &Out::zmp_ref, kXy, "m", "W", "Reference ZMP: the ZMP that the pendulum of eq. (16) is given.");
   v("zmp_est", &Out::zmp_est, kXy, "m", "W",
     "ZMP that the torque of this cycle will produce, estimated before it is sent (eq. 14, 15).");
-  v("zmp_meas", &Cycle::zmp_meas, kXy, "m", "W",
+  v("zmp_meas", &After::zmp_meas, kXy, "m", "W",
     "ZMP of the contact forces that MuJoCo applied under this torque, on the plane of the estimate through the sole as "
     "the contacts found it; it is NaN without contact.");
   v("zmp_lower", &Out::zmp_lower, kXy, "m", "W",
@@ -128,33 +128,33 @@ void visit_columns(Visitor&& v) {
   v("foothold", &Out::foothold, kPlanar, "m, rad", "W",
     "Place and direction in which the swing foot is to land; it is NaN in double support.");
   v(
-      "foot_left", [](const Out& out) -> const auto& { return out.foot[kLeft]; }, kPose, "m", "W",
+      "foot_left", [](const Out& out) -> const auto& { return out.foot[kLeft]; }, kPoseParts, "m", "W",
       "Pose of the left sole: position of its centre, and unit quaternion of its axes.");
   v(
-      "foot_right", [](const Out& out) -> const auto& { return out.foot[kRight]; }, kPose, "m", "W",
+      "foot_right", [](const Out& out) -> const auto& { return out.foot[kRight]; }, kPoseParts, "m", "W",
       "Pose of the right sole: position of its centre, and unit quaternion of its axes.");
   v("tau", &Out::tau, kJoints, "N m", "", "Torque that is sent to each joint.");
   v("f_c", &Out::f_c, kWrenches, "N, N m", "W",
     "Wrench of the robot on the ground that is expected under each foot, at the centre of its sole; f_z < 0 where the"
     " foot carries, and a foot in the air has NaN.");
-  v("contact_wrench", &Cycle::contact_wrench, kWrenches, "N, N m", "W",
+  v("contact_wrench", &After::contact_wrench, kWrenches, "N, N m", "W",
     "Wrench of the robot on the ground that MuJoCo's contacts gave under each foot, at the centre of its sole; a foot"
     " without contact has NaN.");
   v("torque_ratio", &Out::torque_ratio, kOne, "", "",
     "Largest ratio of a joint's torque to its limit, before torques are cut to their limits.");
   v("saturated", &Out::saturated, kOne, "", "", "Whether a torque was cut to its limit.");
   v("damped", &Out::damped, kOne, "", "", "Whether the motion was damped because a leg is nearly straight.");
-  v("self_contacts", &Cycle::self_contacts, kOne, "", "",
+  v("self_contacts", &After::self_contacts, kOne, "", "",
     "Number of contacts between two bodies of the robot while this torque acted.");
-  v("joint_margin", &Cycle::joint_margin, kOne, "rad or m", "",
+  v("joint_margin", &After::joint_margin, kOne, "rad or m", "",
     "Distance from its limit of the joint that is nearest to one, after this torque acted; it is infinite without "
     "limits.");
   v(
       "fell", [](const Out& out) { return out.fell != Fall::kNone; }, kOne, "", "",
       "Whether the robot has fallen, which ends the walk.");
-  v("qpos", &Cycle::qpos, kPositions, "m, rad", "W",
+  v("qpos", &After::qpos, kPositions, "m, rad", "W",
     "Configuration that this cycle read, as in MuJoCo: position and unit quaternion of the base, then the joints.");
-  v("qvel", &Cycle::qvel, kVelocities, "m/s, rad/s", "W",
+  v("qvel", &After::qvel, kVelocities, "m/s, rad/s", "W",
     "Velocity that this cycle read, as in MuJoCo: of the base, its rotation in its own axes, then of the joints.");
 }
 
