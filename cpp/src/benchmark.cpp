@@ -59,7 +59,7 @@ Commands commands_of(WalkingController& controller, double duration) {
   mjData* d = data.get();
   controller.robot().description().place(m, d);
   controller.reset(d);
-  Commands out{m->nu, m->nv, {}, {}};
+  Commands out{static_cast<int>(m->nu), static_cast<int>(m->nv), {}, {}};
   while (d->time < duration && controller.output().fell == Fall::kNone) {
     mj_step1(m, d);
     controller.update(d, Terms::kInData);
