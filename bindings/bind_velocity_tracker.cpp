@@ -5,15 +5,15 @@ using namespace zmpwalk;
 
 void bind_velocity_tracker(py::module_& m) {
   py::class_<VelocityTracker>(m, "VelocityTracker", "Planned-velocity tracking along one axis, III-C.")
-      .def(py::init([](const std::string& law, double gain, double time, double deadband, double reach) {
+      .def(py::init([](const std::string& law, double gain, double time, double deadband, double catch_up_speed) {
              TrackerLaw parsed;
              from_string("law", law, parsed);
-             return VelocityTracker(parsed, gain, time, deadband, reach);
+             return VelocityTracker(parsed, gain, time, deadband, catch_up_speed);
            }),
            "law"_a = "smooth", "gain"_a = 5.0, "time"_a = 0.05, "deadband"_a = 2e-4,
-           "reach"_a = std::numeric_limits<double>::infinity(),
+           "catch_up_speed"_a = std::numeric_limits<double>::infinity(),
            "Args:\n    law: 'smooth' or 'bang_bang' (the paper's).\n    gain: [1/s].\n    time: [s].\n    deadband: "
-           "[m].\n    reach: largest |gain I| [m/s].\n\nRaises:\n    InputError.")
+           "[m].\n    catch_up_speed: largest |gain I| [m/s].\n\nRaises:\n    InputError.")
       .def("reset", &VelocityTracker::reset)
       .def("acceleration", &VelocityTracker::acceleration, "v_plan"_a, "v"_a, "ahead"_a = 0.0,
            "Smooth law: (v_plan - gain (I - ahead) - v) / time [m/s^2]; ahead: what I is meant to be now [m].")

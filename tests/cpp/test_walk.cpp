@@ -30,53 +30,60 @@ const Walk& paper_walk() {
   return walk;
 }
 
-/// What a walk shows in which one phase of step 5 takes `duration` of what it was to take, from its middle on.
-struct Retimed {
+/// A walk at 0.25 m/s in a loop of its own, step by step.
+struct Stepped {
   Fall fell = Fall::kNone;
   int steps = 0, switches = 0;
-  double took = kNaN;  ///< the phase [s]
+  std::vector<double> landings, singles, doubles;  ///< when feet land, how long finished supports took [s]
   // Largest, from cycle to cycle: what the swing target's velocity and position gain beside what acceleration and velocity have them gain;
   // and how far the sole is from its target.
   double v = 0.0, p = 0.0, off = 0.0;
 };
 
-Retimed retimed(Phase phase, const std::function<double(double)>& duration) {
-  WalkingController controller(mahru(), describe(mahru()), WalkSettings(), VelocityProfile({0.0}, {Vec3(0.25, 0, 0)}));
-  const MjDataPtr d = make_data(mahru());
-  controller.robot().description().place(mahru(), d.get());
+/// @param between  called after each cycle
+Stepped walk_steps(const mjModel* m, const WalkSettings& s, double duration,
+                   const std::function<void(WalkingController&)>& between) {
+  WalkingController controller(m, describe(m), s, VelocityProfile({0.0}, {Vec3(0.25, 0, 0)}));
+  const MjDataPtr d = make_data(m);
+  controller.robot().description().place(m, d.get());
   controller.reset(d.get());
-  Retimed out;
-  bool done = false, swinging = false;
+  Stepped out;
+  GaitPhase last;
   Side support = kRight;
   SwingTarget before;
   const double dt = controller.settings().control.dt;
-  while (d->time < 8.0 && out.fell == Fall::kNone) {
+  while (d->time < duration && out.fell == Fall::kNone) {
     out.fell = controller.update(d.get()).fell;
-    mj_step(mahru(), d.get());
+    mj_step(m, d.get());
     const GaitOutput& gait = controller.gait();
-    const GaitPhase& now = gait.phase;
-    if (now.step == 5 && now.phase == phase) {
-      if (!done && now.time >= 0.5 * now.duration) {
-        controller.retime(duration(now.duration) - now.time);
-        done = true;
-      }
-      out.took = now.time + dt;
-    }
+    const bool single = gait.phase.phase == Phase::kSingleSupport, was_single = last.phase == Phase::kSingleSupport;
+    if (single != was_single) (was_single ? out.singles : out.doubles).push_back(last.time + dt);
+    if (was_single && !single) out.landings.push_back(d->time);
     out.switches += gait.support != support;
     support = gait.support;
-    out.steps = now.step;
+    out.steps = gait.phase.step;
     const SwingTarget& target = gait.swing_target;
-    if (now.phase == Phase::kSingleSupport) {
-      out.off = std::max(out.off, gap(controller.robot().dynamics().sole[gait.swing].p_WF, target.p));
-      if (swinging) {
-        out.v = std::max(out.v, gap(target.v - before.v, 0.5 * dt * (target.a + before.a)));
-        out.p = std::max(out.p, gap(target.p - before.p, 0.5 * dt * (target.v + before.v)));
-      }
+    if (single) out.off = std::max(out.off, gap(controller.robot().dynamics().sole[gait.swing].p_WF, target.p));
+    if (single && was_single) {
+      out.v = std::max(out.v, gap(target.v - before.v, 0.5 * dt * (target.a + before.a)));
+      out.p = std::max(out.p, gap(target.p - before.p, 0.5 * dt * (target.v + before.v)));
     }
-    swinging = now.phase == Phase::kSingleSupport;
     before = target;
+    last = gait.phase;
+    between(controller);
   }
   return out;
+}
+
+/// One phase of step 5 takes `duration` of what it was to take, from its middle on.
+Stepped retimed(Phase phase, const std::function<double(double)>& duration) {
+  bool done = false;
+  return walk_steps(mahru(), WalkSettings(), 8.0, [&](WalkingController& controller) {
+    const GaitPhase& now = controller.gait().phase;
+    if (done || now.step != 5 || now.phase != phase || now.time < 0.5 * now.duration) return;
+    controller.retime(duration(now.duration) - now.time);
+    done = true;
+  });
 }
 
 }  // namespace
@@ -193,11 +200,12 @@ BOOST_AUTO_TEST_CASE(a_phase_that_takes_another_time_leaves_the_swing_foot_smoot
                              Event{"double support - 30 %", Phase::kDoubleSupport, times(0.7)},
                              Event{"double support + 30 %", Phase::kDoubleSupport, times(1.3)}})
     BOOST_TEST_CONTEXT(event.what) {
-      const Retimed walk = retimed(event.phase, event.duration);
+      const Stepped walk = retimed(event.phase, event.duration);
+      const bool single = event.phase == Phase::kSingleSupport;
       BOOST_CHECK(walk.fell == Fall::kNone);
       BOOST_CHECK_GE(walk.steps, 9);
       BOOST_CHECK_LE(std::abs(walk.switches - walk.steps), 1);
-      CHECK_NEAR(walk.took, event.duration(event.phase == Phase::kSingleSupport ? 0.64 : 0.16), 2e-3);
+      CHECK_NEAR((single ? walk.singles : walk.doubles).at(5), event.duration(single ? 0.64 : 0.16), 2e-3);
       BOOST_CHECK_LE(walk.v, 5e-5);  // an acceleration that jumps by 0.1 m/s^2 shows here
       BOOST_CHECK_LE(walk.p, 5e-7);
       BOOST_CHECK_LE(walk.off, 0.01);
@@ -205,24 +213,33 @@ BOOST_AUTO_TEST_CASE(a_phase_that_takes_another_time_leaves_the_swing_foot_smoot
 }
 
 BOOST_AUTO_TEST_CASE(steps_that_end_by_measured_contact_are_those_that_end_by_time_on_ground_that_is_as_planned) {
-  const auto walk = [](TouchDown touch_down) {
-    const WalkSettings s = with([&](WalkSettings& w) { w.gait.touch_down = touch_down; });
-    WalkingController controller(mahru(), describe(mahru()), s);
-    const MjDataPtr d = make_data(mahru());
-    controller.robot().description().place(mahru(), d.get());
-    controller.reset(d.get());
-    std::vector<double> landings;
-    Phase phase = Phase::kDoubleSupport;
-    while (d->time < 8.0 && controller.update(d.get()).fell == Fall::kNone) {
-      mj_step(mahru(), d.get());
-      const GaitPhase& now = controller.gait().phase;
-      if (now.phase == Phase::kDoubleSupport && phase == Phase::kSingleSupport) landings.push_back(d->time);
-      phase = now.phase;
-    }
-    BOOST_CHECK_EQUAL(landings.size(), 9U);
-    return landings;
+  const auto landings = [](TouchDown touch_down) {
+    const Stepped walk = walk_steps(mahru(), with([&](WalkSettings& w) { w.gait.touch_down = touch_down; }), 8.0,
+                                    [](WalkingController&) {});
+    BOOST_CHECK_EQUAL(walk.landings.size(), 9U);
+    return walk.landings;
   };
-  const std::vector<double> by_time = walk(TouchDown::kTime), by_contact = walk(TouchDown::kContact);
+  const std::vector<double> by_time = landings(TouchDown::kTime), by_contact = landings(TouchDown::kContact);
   for (std::size_t n = 0; n < std::min(by_time.size(), by_contact.size()); ++n)
     CHECK_NEAR(by_contact[n], by_time[n], 0.02);
+}
+
+BOOST_AUTO_TEST_CASE(feet_that_feel_the_ground_walk_up_and_down_a_step_of_5_mm_and_their_swing_stays_smooth) {
+  const std::string box = "<worldbody><geom type=\"box\" size=\"1 1 0.1\" pos=\"", floor = "type=\"plane\"";
+  const auto up = load_text(replaced(mahru_text(), "<worldbody>", box + "1.68 0 -0.095\"/>"));
+  const auto down = load_text(
+      replaced(replaced(mahru_text(), floor, floor + " pos=\"0 0 -0.005\""), "<worldbody>", box + "-0.32 0 -0.1\"/>"));
+  for (const mjModel* m : {up.get(), down.get()}) {
+    const WalkSettings s = with([](WalkSettings& w) { w.gait.touch_down = TouchDown::kContact; });
+    const Stepped walk = walk_steps(m, s, 9.0, [](WalkingController&) {});
+    BOOST_CHECK(walk.fell == Fall::kNone);
+    const double shortest = *std::min_element(walk.singles.begin(), walk.singles.end()),
+                 longest = *std::max_element(walk.singles.begin(), walk.singles.end());
+    if (m == up.get())
+      BOOST_CHECK_LE(shortest, 0.62);  // it lands early on the step
+    else
+      BOOST_CHECK_GE(longest, 0.66);  // and late beyond its edge
+    BOOST_CHECK_LE(walk.v, 5e-5);
+    BOOST_CHECK_LE(walk.p, 5e-7);
+  }
 }

@@ -293,9 +293,9 @@ void GaitGenerator::capture(const GaitInput& in, double time) {
   const double foot = before_switch() ? (in.p_sole[other(out_.support)].head<2>() - out_.origin).dot(out_.ahead)
                       : decided       ? (footsteps_.target().p - out_.origin).dot(out_.ahead)
                                       : footsteps_.lead(out_.phase.step, next_);
-  const double planned = foot + xi_start_, reach = settings_.steps.capture_distance;
+  const double planned = foot + xi_start_, near = settings_.steps.capture_distance;
   const double alone = xi_next_ - slope * out_.dv_capture;
-  const double dv = out_.dv_capture + (std::clamp(alone, planned - reach, planned + reach) - xi_next_) / slope;
+  const double dv = out_.dv_capture + (std::clamp(alone, planned - near, planned + near) - xi_next_) / slope;
   out_.dv_capture = std::clamp(dv, -settings_.steps.capture_speed, settings_.steps.capture_speed);
 }
 

@@ -7,8 +7,8 @@
 
 namespace zmpwalk {
 
-VelocityTracker::VelocityTracker(TrackerLaw law, double gain, double time, double deadband, double reach)
-    : law_(law), gain_(gain), time_(time), deadband_(deadband), reach_(reach) {
+VelocityTracker::VelocityTracker(TrackerLaw law, double gain, double time, double deadband, double catch_up_speed)
+    : law_(law), gain_(gain), time_(time), deadband_(deadband), catch_up_speed_(catch_up_speed) {
   require_positive("tracker_gain", gain);
   require_positive("tracker_time", time);
   require_positive("tracker_deadband", deadband);
@@ -24,7 +24,7 @@ double VelocityTracker::acceleration(double v_plan, double v, double ahead) cons
 }
 
 double VelocityTracker::catch_up(double ahead) const {
-  return std::clamp(-gain_ * (integral_ - ahead), -reach_, reach_);
+  return std::clamp(-gain_ * (integral_ - ahead), -catch_up_speed_, catch_up_speed_);
 }
 
 void VelocityTracker::advance(double v_des, double v_plan, double dt) {

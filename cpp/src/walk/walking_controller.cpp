@@ -81,7 +81,8 @@ GaitInput WalkingController::gait_input(double t, const Vec2& com, const Vec2& d
   in.p_sole = {left.p_WF, right.p_WF};
   in.R_sole = {left.R_WF, right.R_WF};
   in.catch_up = tracker_.catch_up(gait_.output().orbit_ahead);
-  in.ground = height_.ground();
+  // Feet that feel the ground land where the stance foot stands, not where the ground was at the start.
+  if (settings_.gait.touch_down == TouchDown::kTime) in.ground = height_.ground();
   return in;
 }
 

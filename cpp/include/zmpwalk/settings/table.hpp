@@ -80,7 +80,7 @@ struct GaitSettings {
     v(g.touch_down_share, "touch_down_share", "touch_down_share", "", must_be::kShare, {},
       "Share of the single support before which a contact of the swing foot does not end the step: a foot that has "
       "just lifted may scuff the ground. Only where touch_down is 'contact'.");
-    v(g.touch_down_time, "touch_down_time", "touch_down_time", "s", must_be::kNotNegative, {0.5, of::kTimeConstant},
+    v(g.touch_down_time, "touch_down_time", "touch_down_time", "s", must_be::kNotNegative, {0.18, of::kTimeConstant},
       "How long a swing foot that meets no ground at its planned time goes on down, until the step ends by time. Only "
       "where touch_down is 'contact'.");
     v(g.touch_down_speed, "touch_down_speed", "touch_down_speed", "m/s", must_be::kNotNegative,
