@@ -495,6 +495,7 @@ BOOST_AUTO_TEST_CASE(
     WalkSettings s = settings();
     s.gait.stand = false;
     s.gait.touch_down = TouchDown::kContact;
+    s.gait.touch_down_time = 0.14;
     s.control.dt = dt;
     TestWalk walk(s, 0.4, steady(v));
     Smoothness smooth;
@@ -527,6 +528,7 @@ BOOST_AUTO_TEST_CASE(
 BOOST_AUTO_TEST_CASE(a_contact_ends_a_step_only_after_the_foot_was_in_the_air_and_late_in_its_swing) {
   WalkSettings s = settings();
   s.gait.touch_down = TouchDown::kContact;
+  s.gait.touch_down_time = 0.14;
   /// Length of the first single support [s] of a foot that is off the ground where `flies` says so; NaN: not known.
   const auto length = [&](const std::function<double(double)>& contact, bool felt_before = true) {
     TestWalk walk(s);
@@ -562,6 +564,7 @@ BOOST_AUTO_TEST_CASE(
   for (const double later : {-0.06, 0.06}) {
     WalkSettings s = settings();
     s.gait.touch_down = TouchDown::kContact;
+    s.gait.touch_down_time = 0.14;
     TestWalk as_planned(s), disturbed(s);
     const auto until_step_8_lifts = [&](TestWalk& walk, double of_step_7) {
       double landed = kNaN;
