@@ -210,6 +210,12 @@ BOOST_AUTO_TEST_CASE(cycle_that_takes_commands_allocates_nothing_and_takes_no_lo
   stays_off_the_heap(walk(2.5, WalkSettings(), mahru(), Terms::kCompute, JointMotion(), commands));
 }
 
+BOOST_AUTO_TEST_CASE(cycle_that_feels_the_ground_allocates_nothing) {
+  WalkSettings s;
+  s.gait.touch_down = TouchDown::kContact;
+  stays_off_the_heap(walk(2.0, s));
+}
+
 BOOST_AUTO_TEST_CASE(cycle_in_a_scene_allocates_nothing) {
   const ModelPtr scene = mahru_in_a_scene();
   stays_off_the_heap(walk(1.0, WalkSettings(), scene.get()));
