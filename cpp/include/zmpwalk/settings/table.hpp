@@ -387,7 +387,7 @@ struct ControlSettings {
 
   double dt = kNaN;
   bool textbook = false;
-  double singular_damping = 1e-3, singular_pivot = 1e-2, friction_velocity = 0.02;
+  double singular_damping = 1e-3, singular_pivot = 1e-2, singular_task = 5e-3, friction_velocity = 0.02;
   std::string kernel = "auto";
   std::map<std::string, double> torque_limits;
 
@@ -403,6 +403,10 @@ struct ControlSettings {
       "Damping that keeps the joints' motion bounded where a leg is straight.");
     v(g.singular_pivot, "singular_pivot", "singular_pivot", "", must_be::kNotNegative, {},
       "Smallest pivot of a leg's equations below which that leg counts as straight.");
+    v(g.singular_task, "singular_task", "singular_task", "", must_be::kShare, {},
+      "How far a task of your own may be from impossible before it is met in part only: the motion that it asks for is "
+      "damped in directions in which the joints outside the legs move it by less than this share of its size. So it "
+      "stays bounded where an arm is stretched out. With 0 nothing is damped.");
     v(g.friction_velocity, "friction_velocity", "friction_velocity", "rad/s", must_be::kPositive, {},
       "Joint speed below which dry friction is taken as proportional to the speed, so that it does not jump where a "
       "joint turns around.");
