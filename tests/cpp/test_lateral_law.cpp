@@ -58,10 +58,9 @@ BOOST_AUTO_TEST_CASE(a_law_is_a_row_of_its_table_and_its_name_is_a_value_of_the_
 }
 
 BOOST_AUTO_TEST_CASE(an_unknown_law_is_answered_with_all_that_there_are_and_the_nearest) {
-  CHECK_THROWS(lateral("orbt"), InputError,
-               "zmp.lateral_law = 'orbt' is unknown; there are: orbit, paper; did you mean 'orbit'?");
-  CHECK_THROWS(chosen<TrackerLawName>("tracking.law", "bangbang"), InputError,
-               "there are: smooth, bang_bang; did you mean 'bang_bang'?");
+  CHECK_THROWS(lateral("orbt"), InputError, "zmp.lateral_law = 'orbt' is unknown; there are: orbit, paper");
+  CHECK_THROWS(lateral("orbt"), InputError, "; did you mean 'orbit'?");
+  CHECK_THROWS(chosen<TrackerLawName>("tracking.law", "bangbang"), InputError, "; did you mean 'bang_bang'?");
   try {
     lateral("pid");
     BOOST_ERROR("there is no law 'pid'");

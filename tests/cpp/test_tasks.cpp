@@ -657,30 +657,31 @@ BOOST_AUTO_TEST_CASE(a_known_force_at_a_hand_leaves_the_estimate_as_true_as_with
 }
 
 BOOST_AUTO_TEST_CASE(the_pendulum_takes_the_time_constant_of_a_known_vertical_force) {
-  // A load on the trunk, told: the pendulum's reference ZMP is where the whole body has it, as near as without a load.
-  const auto off = [](double load) {
+  // A load on the trunk, told. What the pendulum leaves out is a moment, of legs that swing: the estimated ZMP less the reference, times the
+  // load on the ground. The force on the trunk does not change it.
+  const auto left_out = [](double load) {
     Carried walk(ramp(0.0, 1.0), with([](WalkSettings& s) { s.gait.stand = false; }));
     const int body = mj_name2id(mahru(), mjOBJ_BODY, "pelvis"), frame = walk.controller.watch("pelvis");
-    const double z_c = walk.controller.com_height(), g = walk.controller.robot().dynamics().gravity.norm(),
-                 m = walk.controller.robot().dynamics().mass;
-    std::vector<double> out;
+    const Dynamics& dyn = walk.controller.robot().dynamics();
+    const double z_c = walk.controller.com_height(), g = dyn.gravity.norm();
+    std::vector<double> moment;
+    double off = 0.0;
     Vec6 w = Vec6::Zero();
     walk.walk_until(5.0, [&](const CycleOutput& cycle) {
-      if (walk.controller.robot().dynamics().F_ext == Vec3(w.head<3>()))
-        BOOST_CHECK_CLOSE(walk.controller.Tc(), std::sqrt(z_c / (g - w.z() / m)), 1e-9);
-      const double t = walk.data->time;
+      const double N = dyn.mass * g - w.z(), t = walk.data->time;
+      off = std::max(off, gap(walk.controller.Tc(), std::sqrt(z_c * dyn.mass / N)));
+      if (t > 2.5 && cycle.phase == 1) moment.push_back(N * std::abs(cycle.zmp_est.y() - cycle.zmp_ref.y()));
       w.z() = -std::min(1.0, std::max(0.0, t - 1.0)) * load;  // grows within a second
       const Vec3 arm =
           Eigen::Map<const Vec3>(walk.data->xipos + 3 * body) - Eigen::Map<const Vec3>(walk.data->xpos + 3 * body);
       Eigen::Map<Vec6>{walk.data->xfrc_applied + 6 * body} << w.head<3>(), -arm.cross(Vec3(w.head<3>()));
       walk.sensed.external = {{frame, w}};
-      if (t > 2.5 && cycle.phase == 1) out.push_back(std::abs(cycle.zmp_est.y() - cycle.zmp_ref.y()));
     });
-    BOOST_TEST_MESSAGE("load " << load << " N: estimate - reference sideways, median " << 1e3 * percentile(out, 0.5)
-                               << " mm, p95 " << 1e3 * percentile(out, 0.95) << " mm");
-    return percentile(out, 0.5);
+    CHECK_NEAR(off, 0.0, 1e-12);
+    BOOST_TEST_MESSAGE("load " << load << " N: left out " << percentile(moment, 0.5) << " N m");
+    return percentile(moment, 0.5);
   };
-  BOOST_CHECK_LE(off(150.0), off(0.0) + 1e-3);
+  BOOST_CHECK_CLOSE(left_out(150.0), left_out(0.0), 15.0);  // 43 % less with the time constant of the free robot
 }
 
 BOOST_AUTO_TEST_CASE(two_hands_carry_a_tray_while_the_robot_walks_and_turns) {

@@ -137,12 +137,12 @@ def test_notation_names_settings_that_exist_and_no_values():
 def test_the_laws_are_words_and_the_help_says_what_each_does():
     for path, words in (("zmp.lateral_law", ["orbit", "paper"]), ("tracking.law", ["smooth", "bang_bang"])):
         row = WalkSettings.find(path)
-        assert row.words == words
+        assert row.words[:2] == words
         assert row.default == words[0]
-        for word in words:
+        for word in row.words:
             assert re.search(rf"'{word}', which \w+", row.text), row.text
     with pytest.raises(
-        InputError, match="lateral_law = 'orbt' is unknown; there are: orbit, paper; did you mean 'orbit'"
+        InputError, match="lateral_law = 'orbt' is unknown; there are: orbit, paper.*; did you mean 'orbit'"
     ):
         WalkSettings(lateral_law="orbt")
 
@@ -237,7 +237,7 @@ def test_what_is_printed_reads_back_and_names_every_setting(toml, mahru, given):
         ('tracker = "psychic"', "tracker = 'psychic' is unknown; there are: smooth"),
         ("law = 3", "law = 3; it must be 'default' or 'paper'"),
         ('law = "modern"', "law = 'modern' is unknown"),
-        ('lateral_law = "papr"', "there are: orbit, paper; did you mean 'paper'?"),
+        ('lateral_law = "papr"', "did you mean 'paper'?"),
         ("step_height = ", "not TOML"),
         ("[soles]\nleft = 1", "no setting 'soles'"),
         ("[tracking]\ngian = 1", "no setting 'tracking.gian'; did you mean tracking.gain (tracker_gain)?"),
