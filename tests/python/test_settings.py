@@ -142,7 +142,7 @@ def test_the_laws_are_words_and_the_help_says_what_each_does():
         for word in row.words:
             assert re.search(rf"'{word}', which \w+", row.text), row.text
     with pytest.raises(
-        InputError, match="lateral_law = 'orbt' is unknown; there are: orbit, paper.*; did you mean 'orbit'"
+        InputError, match=r"lateral_law = 'orbt' is unknown; there are: orbit, paper.*; did you mean 'orbit'"
     ):
         WalkSettings(lateral_law="orbt")
 
