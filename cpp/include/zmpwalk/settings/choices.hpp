@@ -9,7 +9,7 @@
 
 namespace zmpwalk {
 
-/// The values of an enum with the word for each, as it stands in Python, in files and in messages.
+/// The values of an enum, each with its word as it stands in Python, in files and in messages.
 template <class Enum>
 using Choices = std::vector<std::pair<Enum, const char*>>;
 
