@@ -11,10 +11,10 @@
 namespace zmpwalk {
 namespace {
 
-/// By how much a coupling may be off at the start pose [rad or m].
+/// Largest error of a coupling at the start pose [rad or m].
 constexpr double kCouplingTolerance = 1e-3;
 
-/// Share of the weight that gravity compensation, which pulls the bodies up, may take: the pendulum is planned with all of it.
+/// Largest share of the weight that gravity compensation may carry. It pulls the bodies up, while the pendulum is planned with the whole weight.
 constexpr double kMostCompensation = 0.3;
 
 /// The robot in its model, as these rules ask for it.
@@ -158,7 +158,7 @@ void add_bodies(const Looked& at, Reasons& out) {
                                " % is no walk on feet"});
 }
 
-/// Off by: y - y0 - polynomial(x - x0), as MuJoCo couples two joints or tendons.
+/// Error of a coupling, y - y0 - polynomial(x - x0), as MuJoCo couples two joints or tendons.
 double coupling_error(const mjtNum* poly, double y, double x) {
   return y - (poly[0] + x * (poly[1] + x * (poly[2] + x * (poly[3] + x * poly[4]))));
 }
