@@ -4,7 +4,8 @@
 using namespace zmpwalk;
 
 void bind_velocity_tracker(py::module_& m) {
-  py::class_<VelocityTracker>(m, "VelocityTracker", "Planned-velocity tracking along one axis, III-C.")
+  py::class_<VelocityTracker>(m, "VelocityTracker",
+                              "Lets the velocity of the COM follow the planned one, along one axis (III-C).")
       .def(py::init([](const std::string& law, double gain, double time, double deadband, double catch_up_speed) {
              TrackerLaw parsed;
              from_string("law", law, parsed);
@@ -16,10 +17,11 @@ void bind_velocity_tracker(py::module_& m) {
            "[m].\n    catch_up_speed: largest |gain I| [m/s].\n\nRaises:\n    InputError.")
       .def("reset", &VelocityTracker::reset)
       .def("acceleration", &VelocityTracker::acceleration, "v_plan"_a, "v"_a, "ahead"_a = 0.0,
-           "Smooth law: (v_plan - gain (I - ahead) - v) / time [m/s^2]; ahead: what I is meant to be now [m].")
+           "Smooth law: (v_plan - gain (I - ahead) - v) / time [m/s^2]; ahead: value that I, the integral, is meant to "
+           "have now [m].")
       .def("advance", &VelocityTracker::advance, "v_des"_a, "v_plan"_a, "dt"_a, "Adds one cycle to the integral.")
       .def_property_readonly("integral", &VelocityTracker::integral, "integral of v_des - v_plan [m]")
       .def_property_readonly(
           "drive", [](const VelocityTracker& t) { return static_cast<int>(t.drive()); },
-          "bang-bang law: -1 ZMP to the lower bound, +1 to the upper, 0 track");
+          "what the bang-bang law does: -1 holds the ZMP on the lower bound, +1 on the upper one, 0 follows the plan");
 }
