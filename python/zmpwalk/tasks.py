@@ -131,8 +131,8 @@ class FrameTask(_Described, _core.FrameTask):
         The task follows at once: a reference that jumps makes it pull. Velocity and acceleration are fed forward.
 
         Args:
-            position: (3,) [m]; a task on the orientation alone does without.
-            orientation: quaternion (w, x, y, z) or matrix (3, 3); a task on the position alone does without.
+            position: (3,) [m]; a task on the orientation alone needs none.
+            orientation: quaternion (w, x, y, z) or matrix (3, 3); a task on the position alone needs none.
             velocity: (3,) linear, or (6,) linear and angular [m/s, rad/s]; None is at rest.
             acceleration: the same [m/s^2, rad/s^2].
 

@@ -159,7 +159,7 @@ void WalkingController::require_startable() const {
   throw InputError("the profile starts too fast: from a stand the COM would run " +
                    std::to_string(start_excursion(1.0)) + " m ahead of the first stance foot, the legs reach " +
                    std::to_string(room) + " m; the same profile times " + std::to_string(possible) +
-                   " would do, or a gentler ramp");
+                   " is slow enough, and so is a gentler ramp");
 }
 
 double WalkingController::start_excursion(double scale) const {

@@ -15,7 +15,7 @@ ZmpBounds zmp_bounds(const SoleLimits& sole, double weight, double sole_fraction
     if (!(out.lower[i] < out.upper[i]))
       throw InputError(std::string("no room for the ZMP along ") + (i == 0 ? "x" : "y") + ": the sole allows +-" +
                        std::to_string(half[i]) + " m, the ankle " + std::to_string(sole.ankle[i]) + " +- " +
-                       std::to_string(reach[i]) + " m; a larger sole fraction or ankle torque would give some");
+                       std::to_string(reach[i]) + " m; a larger sole_fraction or a stronger ankle gives room");
   return out;
 }
 

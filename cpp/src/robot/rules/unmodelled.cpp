@@ -155,7 +155,7 @@ void add_bodies(const Looked& at, Reasons& out) {
   if (std::abs(lifted) > kMostCompensation)
     out.push_back({"body", "gravity compensation (gravcomp) lifts " + number(100.0 * lifted) +
                                " % of the robot's weight; more than " + number(100.0 * kMostCompensation) +
-                               " % is no walk on feet"});
+                               " % leaves the feet too little to walk on"});
 }
 
 /// Error of a coupling, y - y0 - polynomial(x - x0), as MuJoCo couples two joints or tendons.
