@@ -26,12 +26,11 @@ class ContactSpace {
   void wrench(const ConstVecRef& tau, Eigen::Ref<VecX> f_c) const;
 
   const RowMatX& Lambda_c() const { return Lambda_c_; }  ///< contact inertia (rows, rows)
-  const RowMatX& JbarT_c() const {
-    return JbarT_c_;
-  }                                            ///< transpose of the dynamically consistent inverse of J_c (rows, nv)
-  const VecX& mu_c() const { return mu_c_; }   ///< velocity forces in contact space (rows,)
-  const VecX& p_c() const { return p_c_; }     ///< gravity in contact space (rows,)
-  const RowMatX& J_c() const { return J_c_; }  ///< contact Jacobian (rows, nv)
+  /// Transpose of the dynamically consistent inverse of J_c (rows, nv).
+  const RowMatX& JbarT_c() const { return JbarT_c_; }
+  const VecX& mu_c() const { return mu_c_; }        ///< velocity forces in contact space (rows,)
+  const VecX& p_c() const { return p_c_; }          ///< gravity in contact space (rows,)
+  const RowMatX& J_c() const { return J_c_; }       ///< contact Jacobian (rows, nv)
   const VecX& drift_c() const { return drift_c_; }  ///< Jdot_c dq (rows,)
   RowMatX N_c() const;                              ///< contact null space, eq. 2 (nv, nv); allocates
   RowMatX A_inv() const;                            ///< inverse of the inertia (nv, nv); allocates

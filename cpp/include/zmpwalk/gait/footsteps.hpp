@@ -56,9 +56,8 @@ struct PlannedStance {
   PathPoint path;                    ///< point of the path at `mid`
 
   double t_mid() const { return mid.t; }  ///< time of the middle of the double support [s]
-  Vec3 displacement() const {
-    return end.integral - mid.integral;
-  }  ///< in the period, along the heading (3,) [m, m, rad]
+  /// Displacement of the plan in the period, along the heading (3,) [m, m, rad].
+  Vec3 displacement() const { return end.integral - mid.integral; }
   double drift() const { return displacement().y(); }  ///< lateral displacement of the path [m]
 };
 

@@ -40,9 +40,8 @@ class VelocityProfile {
     Vec3 integral = Vec3::Zero();  ///< integral of the velocity from the first knot on (3,)
   };
   Moment at(double t) const;
-  Vec3 velocity(double t) const {
-    return within(segment(t), t);
-  }  ///< velocity at time t [s] (3,); before 0 it is that at 0
+  /// Velocity at time t [s] (3,); before 0 it is that at 0.
+  Vec3 velocity(double t) const { return within(segment(t), t); }
   Vec3 displacement(double t0, double t1) const;  ///< integral of the velocity from t0 to t1 (3,) [m, m, rad]
   /// Where a frame that moves with this velocity is at t1, expressed in the frame as it is at t0: (x, y, yaw) [m, m, rad].
   Vec3 travel(double t0, double t1) const { return travel(at(t0), at(t1)); }

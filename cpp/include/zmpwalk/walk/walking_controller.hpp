@@ -111,10 +111,11 @@ class WalkingController {
   const WholeBodyController& whole_body() const { return whole_body_; }
   const VelocityProfile& profile() const { return profile_; }
   const Robot& robot() const { return robot_; }
-  const LegReach& reach() const { return reach_; }                    ///< says which velocities the legs can walk
-  double com_height() const { return height_.z_c(); }                 ///< z_c over the soles [m]
-  double Tc() const { return height_.pendulum().Tc(); }               ///< time constant of the pendulum [s]
-  const ZmpBounds& bounds(Side side) const { return bounds_[side]; }  ///< of the ZMP, in the sole's axes about its centre
+  const LegReach& reach() const { return reach_; }       ///< says which velocities the legs can walk
+  double com_height() const { return height_.z_c(); }    ///< z_c over the soles [m]
+  double Tc() const { return height_.pendulum().Tc(); }  ///< time constant of the pendulum [s]
+  /// Bounds of the ZMP, in the sole's axes about its centre.
+  const ZmpBounds& bounds(Side side) const { return bounds_[side]; }
 
   /// Share of the knee's torque limit that its own rotor and damping take at lift-off when walking at `speed` [m/s]; see `zmpwalk::knee_share`.
   double knee_share(double speed) const;
