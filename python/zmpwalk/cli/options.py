@@ -24,7 +24,8 @@ def settings_options(command: Callable) -> Callable:
     @click.option(
         "--law",
         type=click.Choice(["default", "paper"]),
-        help="Preset of settings; 'paper' is its law as printed.  [default: that of the settings file, else default]",
+        help="Preset of the settings: 'paper' is the law that the paper prints.  "
+        "[default: that of the settings file, else default]",
     )
     @click.option(
         "--settings",
@@ -34,7 +35,8 @@ def settings_options(command: Callable) -> Callable:
     )
     @click.option(
         "--footsteps",
-        help='Where feet land: tied to COM, absolute, paper, printed, or lengths "0.1,0.15" [m].  [default: by law]',
+        help="What decides where feet land: tied (to the COM), absolute, paper, printed, or the lengths of the steps "
+        '"0.1,0.15,0.2" [m].  [default: that of the law]',
     )
     @click.option(
         "--set",
@@ -66,7 +68,8 @@ def walk_options(command: Callable) -> Callable:
         "--profile",
         default="paper",
         show_default=True,
-        help='Velocity: paper, "0.2" [m/s], "0:0.1,5:0.2/0/0.3" (t:vx/vy/wz), or a CSV file (FILE:linear joins rows).',
+        help='Velocity to walk with: "0.2" [m/s]; "0:0.1,5:0.2/0/0.3", which is time:vx/vy/wz; a CSV file (FILE:linear joins '
+        "its rows by lines); or paper, the profile of the paper.",
     )
     duration = click.option(
         "--duration", type=float, default=8.0, show_default=True, help="Simulated time of the walk [s]."
