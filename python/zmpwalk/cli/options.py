@@ -68,8 +68,8 @@ def walk_options(command: Callable) -> Callable:
         "--profile",
         default="paper",
         show_default=True,
-        help='Velocity to walk with: "0.2" [m/s]; "0:0.1,5:0.2/0/0.3", which is time:vx/vy/wz; a CSV file (FILE:linear joins '
-        "its rows by lines); or paper, the profile of the paper.",
+        help='Velocity to walk with: "0.2" [m/s]; "0:0.1,5:0.2/0/0.3", which is time:vx/vy/wz; a CSV file (FILE:linear '
+        "joins its rows by lines); or paper, the profile of the paper.",
     )
     duration = click.option(
         "--duration", type=float, default=8.0, show_default=True, help="Simulated time of the walk [s]."
