@@ -34,6 +34,7 @@ void FootstepPlanner::advance(double t, const Vec2& com) {
 PlannedStance FootstepPlanner::stance_at(double t_mid, double period) const {
   PlannedStance out{period, plan_->at(t_mid), plan_->at(t_mid + period), {}};
   out.path = path_.moved(plan_->travel(now_, out.mid));
+  out.end.integral.x() += extra_ * period;
   return out;
 }
 
@@ -42,7 +43,7 @@ double FootstepPlanner::lead(int n, const PlannedStance& next) const {
   if (!lengths.empty()) return lengths[std::min<std::size_t>(n, lengths.size() - 1)];
   if (settings_.steps.mode == Footsteps::kAbsolute) return next.displacement().x();
   // Half of what the path does in either foot's stance.
-  return 0.5 * (next.end.integral.x() - plan_->at(next.t_mid() - next.period).integral.x());
+  return 0.5 * (next.end.integral.x() - plan_->at(next.t_mid() - next.period).integral.x() + extra_ * next.period);
 }
 
 PathPoint FootstepPlanner::planned(Side swing, const PlannedStance& next) const {
@@ -98,13 +99,24 @@ void FootstepPlanner::close(Side swing, const Foothold& stance, double xi) {
   if (closing_) nominal_ = target_ = beside;
 }
 
-const Foothold& FootstepPlanner::follow(double ahead_of_plan, double aside, const PathPoint& planned) {
+const Foothold& FootstepPlanner::follow(double ahead_of_plan, double aside, const PathPoint& planned, const Vec2& foot,
+                                        const Vec2& way) {
   const Vec2 left = planned.left();
   const double most = settings_.steps.shift;
   const Vec2 off = planned.p + ahead_of_plan * path_.ahead - nominal_.p;
   Foothold wanted = planned;
   wanted.p = nominal_.p + std::clamp(off.dot(planned.ahead), -most, most) * planned.ahead +
              (off.dot(left) + std::clamp(aside, -most, most)) * left;
+  // Within reach of the leg, and of the time that is left.
+  const StepsSettings& steps = settings_.steps;
+  const Vec2 from = wanted.p - stance_.p;
+  wanted.p += (std::clamp(from.dot(planned.ahead), -steps.ahead_most, steps.ahead_most) - from.dot(planned.ahead)) *
+                  planned.ahead +
+              (std::clamp(from.dot(left), -steps.aside_most, steps.aside_most) - from.dot(left)) * left;
+  const Vec2 go = wanted.p - foot;
+  const double go_ahead = go.dot(planned.ahead), go_aside = go.dot(left);
+  wanted.p += (std::clamp(go_ahead, -way.x(), way.x()) - go_ahead) * planned.ahead +
+              (std::clamp(go_aside, -way.y(), way.y()) - go_aside) * left;
   target_.p += blend_ * (clear(wanted) - target_.p);
   target_.yaw += blend_ * wrap_angle(wanted.yaw - target_.yaw);
   return target_;

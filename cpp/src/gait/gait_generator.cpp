@@ -120,6 +120,7 @@ StepTimes GaitGenerator::times_at(double t) const {
 
 void GaitGenerator::begin_walk(const GaitInput& in) {
   const StepTimes times = times_at(in.t);
+  starting_ = true;
   out_.at_rest = false;
   out_.swing = first_swing(settings_);
   const double v_y = plan_.displacement(in.t, in.t + times.period()).y();
@@ -129,6 +130,25 @@ void GaitGenerator::begin_walk(const GaitInput& in) {
   const bool slow = times.period() == cadence_.slow.period();
   const double T_ds = slow ? settings_.gait.T_ds_first : pendulum_.first_double_support(times.period(), times.T_ss);
   schedule_.begin(out_.phase.step, in.t, T_ds, times);
+}
+
+void GaitGenerator::begin_catching(const GaitInput& in) {
+  const StepTimes times = times_at(in.t);
+  const Vec2 middle = 0.5 * (in.p_sole[kLeft] + in.p_sole[kRight]).head<2>();
+  const double aside = (in.com + pendulum_.Tc() * in.dcom - middle).dot(left_of(out_.ahead));
+  out_.at_rest = starting_ = false;
+  out_.swing = aside > 0.0 ? kRight : kLeft;
+  lateral_.reset(out_.swing);
+  footsteps_.restart(feet_of(in));
+  schedule_.begin(out_.phase.step, in.t, 3.0 * settings_.control.dt, times);
+}
+
+bool GaitGenerator::off_the_feet(const GaitInput& in) const {
+  if (!out_.standing[kLeft] || !out_.standing[kRight]) return false;
+  const Vec2 xi = in.com + pendulum_.Tc() * in.dcom - out_.origin;
+  const Vec2 xi_S(xi.dot(out_.ahead_S), xi.dot(left_of(out_.ahead_S)));
+  const ZmpBounds most = room(in, whole_, whole_[out_.support]);
+  return xi_S != most.clamp(xi_S);
 }
 
 bool GaitGenerator::can_stand(const GaitInput& in) const {
@@ -160,9 +180,13 @@ GaitGenerator::Began GaitGenerator::begin_phase(const GaitInput& in) {
   for (const Side side : kSides) felt_[side] |= in.contact[side] > 0.5;
   if (out_.at_rest) {
     // The first step lifts when the plan moves, and half of its double support has gone by.
-    if (settings_.gait.stand && plan_.at_rest(in.t, in.t + 0.5 * settings_.gait.T_ds_first) && can_stand(in))
+    const bool pushed = settings_.steps.timing && settings_.steps.mode == Footsteps::kTied && off_the_feet(in);
+    if (!pushed && settings_.gait.stand && plan_.at_rest(in.t, in.t + 0.5 * settings_.gait.T_ds_first) && can_stand(in))
       return Began::kNothing;
-    begin_walk(in);
+    if (pushed)
+      begin_catching(in);
+    else
+      begin_walk(in);
     lateral_.begin_cycle(false);
     return Began::kDoubleSupport;
   }
@@ -235,6 +259,7 @@ const GaitOutput& GaitGenerator::update_steps(const GaitInput& in) {
   sole_room_ = sole_room(out_.v_plan);
   out_.room = room(in, bounds_, sole_room_);
   if (out_.at_rest) {
+    if (settings_.steps.timing) out_.room = room(in, whole_, whole_[out_.support]);
     // The ZMP leads the DCM back to the middle between the feet.
     const Vec2 middle = 0.5 * (in.p_sole[kLeft] + in.p_sole[kRight]).head<2>();
     const Vec2 xi = in.com + pendulum_.Tc() * in.dcom;
@@ -261,10 +286,13 @@ ZmpBounds GaitGenerator::sole_room(const Vec3& velocity) const {
 }
 
 void GaitGenerator::move_ahead(const GaitInput& in) {
+  static const double kDead = lab("L_BDEAD", 0.06), kGain = lab("L_BGAIN", 0.5), kMost = lab("L_BMOST", 0.12);
+  const double extra = std::copysign(std::min(kGain * std::max(std::abs(in.behind) - kDead, 0.0), kMost), in.behind);
+  footsteps_.hurry(out_.at_rest || starting_ ? 0.0 : extra);
   const double period = schedule_.times().period(), half = 0.5 * period, dt = settings_.control.dt;
   const bool awaits = before_switch();
   const double since_middle = awaits ? half - 0.5 * out_.phase.duration + out_.phase.time : -out_.phase.to_mid_single;
-  take_orbit(out_.orbit, sole_room_, out_.v_plan.x(), period);
+  take_orbit(out_.orbit, sole_room_, out_.v_plan.x() + footsteps_.extra(), period);
   out_.orbit_middle = settings_.com.lead;
   out_.orbit_ahead = out_.orbit.ahead(std::clamp(since_middle, -half, half));
   const double time = awaits ? std::max(0.5 * out_.phase.duration - out_.phase.time, dt) : out_.phase.to_mid_double;
@@ -342,11 +370,12 @@ void GaitGenerator::move_sideways(const GaitInput& in) {
   const PendulumState y{(in.com - out_.origin).dot(left_of(out_.ahead)), in.dcom.dot(left_of(out_.ahead))};
   if (before_switch()) {
     const double dt = settings_.control.dt, period = schedule_.times().period();
-    const double w_orbit = pendulum_.orbit_velocity(plan_.displacement(in.t, in.t + period).y(), period);
-    out_.w_T = lateral_.check_switch(pendulum_, y, 0.0, across(in.p_sole[other(out_.support)]),
-                                     out_.phase.to_mid_single, w_orbit, dt, out_.phase.duration - out_.phase.time);
+    const double drift = plan_.displacement(in.t, in.t + period).y(), foot = across(in.p_sole[other(out_.support)]);
+    const double w_orbit = pendulum_.orbit_velocity(drift, period);
+    out_.w_T = lateral_.check_switch(pendulum_, y, 0.0, foot, out_.phase.to_mid_single, w_orbit, dt, out_.phase.duration - out_.phase.time);
     return;
   }
+  if (single) starting_ = false;
   if (period_ != orbit_period_ || Tc != orbit_Tc_) {
     orbit_growth_ = pendulum_.growth(period_);
     orbit_period_ = period_;
@@ -376,7 +405,10 @@ void GaitGenerator::move_sideways(const GaitInput& in) {
     if (footsteps_.follows(out_.phase.time / out_.phase.duration)) {
       const PathPoint planned = footsteps_.planned(out_.swing, next_);
       const double aside = lateral_.miss(sway(planned.p));
-      footsteps_.follow(ahead_of_plan(in), aside, planned);
+      const double time = schedule_.touch_down() - in.t;
+      const Vec2 foot = in.p_sole[out_.swing].head<2>() + 0.5 * time * swing_velocity();
+      static const double kAccX = lab("L_ACCX", 20.0), kAccY = lab("L_ACCY", 40.0);
+      footsteps_.follow(ahead_of_plan(in), aside, planned, foot, Vec2(kAccX, kAccY) * time * time / 6.0);
     }
     out_.foothold = footsteps_.target();
   }
@@ -392,7 +424,7 @@ double GaitGenerator::urgency(const GaitInput& in) const {
   const double Tc = pendulum_.Tc(), x = from.dot(out_.ahead) - out_.orbit_middle;
   const double ahead = Tc * (in.dcom.dot(out_.ahead) - out_.orbit.velocity(x)) / whole_[out_.support].upper.x();
   const double aside =
-      before_switch() ? 0.0 : (from.dot(left) + Tc * in.dcom.dot(left) - xi_planned_) / whole_[out_.support].upper.y();
+      starting_ || before_switch() ? 0.0 : (from.dot(left) + Tc * in.dcom.dot(left) - xi_planned_) / whole_[out_.support].upper.y();
   const double off = std::max(std::abs(ahead), std::abs(aside));
   static const double kU0 = lab("L_U0", 0.3), kU1 = lab("L_U1", 0.7);
   const double s = std::clamp((off - kU0) / (kU1 - kU0), 0.0, 1.0);
@@ -429,7 +461,7 @@ void GaitGenerator::adjust_time(const GaitInput& in) {
   limits.least = std::max(steps.least_time - out_.phase.time, kDecided * Tc);
   limits.most = std::max(limits.planned + steps.wait_time, limits.least);
   limits.take_over = 0.5 * schedule_.times().T_ds;
-  limits.foot_speed = steps.foot_speed;
+  static const double kAccX = lab("L_ACCX", 20.0), kAccY = lab("L_ACCY", 40.0);
   const Vec2 ahead = out_.ahead, aside = left_of(out_.ahead);
   const Vec2 com = in.com - out_.origin, foot = in.p_sole[out_.swing].head<2>() - out_.origin;
   const ZmpBounds& whole = whole_[out_.support];
@@ -445,6 +477,9 @@ void GaitGenerator::adjust_time(const GaitInput& in) {
   axes[0].place_lower = -steps.ahead_most;
   axes[0].place_upper = steps.ahead_most;
   axes[0].foot = foot.dot(ahead);
+  axes[0].foot_acceleration = kAccX;
+  axes[1].foot_acceleration = kAccY;
+  axes[0].foot_velocity = swing_velocity().dot(ahead);
   axes[0].offset = xi_start_;
   axes[1].xi = (com + Tc * in.dcom).dot(aside);
   axes[1].zmp_lower = whole.lower.y();
@@ -453,6 +488,7 @@ void GaitGenerator::adjust_time(const GaitInput& in) {
   axes[1].place_lower = side > 0.0 ? near : -steps.aside_most;
   axes[1].place_upper = side > 0.0 ? steps.aside_most : -near;
   axes[1].foot = foot.dot(aside);
+  axes[1].foot_velocity = swing_velocity().dot(aside);
   axes[1].offset = xi_offset_;
   (void)place;
   const double best = adjustment_.time(pendulum_, axes, limits);

@@ -84,6 +84,7 @@ GaitInput WalkingController::gait_input(double t, const Vec2& com, const Vec2& d
   in.p_sole = {left.p_WF, right.p_WF};
   in.R_sole = {left.R_WF, right.R_WF};
   in.catch_up = tracker_.catch_up(gait_.output().orbit_ahead);
+  in.behind = gait_.output().orbit_ahead - tracker_.integral();
   // A foot that feels the ground lands at the height of the stance foot, not at that of the ground at the start.
   if (settings_.gait.touch_down == TouchDown::kTime) in.ground = height_.ground();
   return in;

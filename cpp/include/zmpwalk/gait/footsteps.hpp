@@ -98,6 +98,8 @@ class FootstepPlanner {
 
   /// The plan around a double support with its middle at `t_mid` [s], and in the `period` [s] after it.
   PlannedStance stance_at(double t_mid, double period) const;
+  void hurry(double extra) { extra_ = extra; }
+  double extra() const { return extra_; }
 
   /// How far step `n` lands ahead of the stance foot, where the double support after it is that of `next` [m].
   double lead(int n, const PlannedStance& next) const;
@@ -123,7 +125,9 @@ class FootstepPlanner {
   ///
   /// @param ahead_of_plan, aside  how far from its planned place the foot has to land to catch the DCM: ahead, and to the left [m]
   /// @param planned  where the plan puts this foot
-  const Foothold& follow(double ahead_of_plan, double aside, const PathPoint& planned);
+  /// @param foot  where the foot comes by itself in the time left, and   @param way  how far from there it can still be moved, ahead and aside (2,) [m]
+  const Foothold& follow(double ahead_of_plan, double aside, const PathPoint& planned, const Vec2& foot,
+                         const Vec2& way);
 
   const Foothold& target() const { return target_; }
   /// Distance along the ground of an ankle from the point below its hip: the larger one of the foot `side` as it lands and of the other foot as it
@@ -151,6 +155,7 @@ class FootstepPlanner {
   PathPoint stance_;
   Side swing_ = kLeft;
   bool closing_ = false;
+  double extra_ = 0.0;
 };
 
 }  // namespace zmpwalk

@@ -20,6 +20,7 @@ struct GaitInput {
   Vec2 com = Vec2::Zero(), dcom = Vec2::Zero();                    ///< "current" COM state of (16), (17), W [m, m/s]
   std::array<Vec3, 2> p_sole{Vec3::Zero(), Vec3::Zero()};          ///< sole centres, W [m]
   std::array<Mat3, 2> R_sole{Mat3::Identity(), Mat3::Identity()};  ///< sole orientations
+  double behind = 0.0;    ///< how far the COM is behind the plan [m]
   double catch_up = 0.0;  ///< speed that the velocity tracker adds to the planned one to make up lost way [m/s]
   /// Height at which the swing sole meets the ground, W [m]. NaN takes the stance sole's height, which is lower where the load has sunk that sole
   /// into a soft contact.
@@ -108,6 +109,8 @@ class GaitGenerator {
   enum class Began { kNothing, kStand, kDoubleSupport, kSingleSupport };
   Began begin_phase(const GaitInput& in);  // what begins with this cycle
   void begin_walk(const GaitInput& in);
+  void begin_catching(const GaitInput& in);
+  bool off_the_feet(const GaitInput& in) const;
   bool has_landed(const GaitInput& in);
   void move_swing_foot(const GaitInput& in);
   void move_ahead(const GaitInput& in);
@@ -116,6 +119,7 @@ class GaitGenerator {
   ZmpBounds sole_room(const Vec3& velocity) const;  // of the support foot alone
   /// How far the DCM has left the plan: 0 as planned, 1 where the ZMP is to use the whole sole.
   double urgency(const GaitInput& in) const;
+  Vec2 swing_velocity() const { return began_ == Began::kSingleSupport ? Vec2(Vec2::Zero()) : Vec2(out_.swing_target.v.head<2>()); }
   void widen_room(const GaitInput& in);
   void adjust_time(const GaitInput& in);
   /// Over the support foot. The ZMP may roll as far as the sole goes on its longer side; `end`: as it does at the end of a stance.
@@ -140,6 +144,7 @@ class GaitGenerator {
   LinearInvertedPendulum pendulum_;
   std::array<ZmpBounds, 2> bounds_, whole_;
   StepAdjustment adjustment_;
+  bool starting_ = true;
   double planned_landing_ = 0.0;  // of the foot in the air, before any adjustment [s]
   double xi_planned_ = 0.0;       // lateral DCM now on the orbit, along H's y [m]
   double xi_offset_ = 0.0;        // lateral DCM from the next foot when it takes over, on the orbit [m]

@@ -13,6 +13,8 @@ struct StepAxis {
   double drift = 0.0;                        ///< by how much that place moves when the foot lands later [m/s]
   double place_lower = 0.0, place_upper = 0.0;  ///< where the leg can set it down
   double foot = 0.0;                         ///< where the swing foot is now
+  double foot_velocity = 0.0;                ///< its velocity [m/s]
+  double foot_acceleration = 0.0;            ///< largest acceleration that it may take [m/s^2]
   double offset = 0.0;                       ///< of the DCM from the landed foot when it takes over, in the walk as planned
 };
 
@@ -23,7 +25,6 @@ struct StepLimits {
   double least = 0.0;       ///< earliest landing that the leg can make, from now [s]
   double most = 0.0;        ///< latest landing that may be waited for, from now [s]
   double take_over = 0.0;   ///< from the landing until the foot carries the ZMP [s]
-  double foot_speed = 0.0;  ///< mean horizontal speed that the swing foot can reach [m/s]
 };
 
 /// What a landing time is judged by; see `StepAdjustment::cost`.
