@@ -34,7 +34,7 @@ void FootstepPlanner::advance(double t, const Vec2& com) {
 PlannedStance FootstepPlanner::stance_at(double t_mid, double period) const {
   PlannedStance out{period, plan_->at(t_mid), plan_->at(t_mid + period), {}};
   out.path = path_.moved(plan_->travel(now_, out.mid));
-  out.end.integral.x() += extra_ * period;
+  out.end.integral.x() += hurried_ * period;
   return out;
 }
 
@@ -43,7 +43,7 @@ double FootstepPlanner::lead(int n, const PlannedStance& next) const {
   if (!lengths.empty()) return lengths[std::min<std::size_t>(n, lengths.size() - 1)];
   if (settings_.steps.mode == Footsteps::kAbsolute) return next.displacement().x();
   // Half of what the path does in either foot's stance.
-  return 0.5 * (next.end.integral.x() - plan_->at(next.t_mid() - next.period).integral.x() + extra_ * next.period);
+  return 0.5 * (next.end.integral.x() - plan_->at(next.t_mid() - next.period).integral.x() + hurried_ * next.period);
 }
 
 PathPoint FootstepPlanner::planned(Side swing, const PlannedStance& next) const {

@@ -16,9 +16,7 @@ constexpr double kStop = 1e-3;  // slowest rate of the own time
 Motion1 sum(const Motion1& a, const Motion1& b) { return {a.p + b.p, a.v + b.v, a.a + b.a}; }
 
 /// The same motion seen in another time: `m` runs by the own time `own`.
-Motion1 in_time(const Motion1& m, const Motion1& own) {
-  return {m.p, m.v * own.v, m.a * own.v * own.v + m.v * own.a};
-}
+Motion1 in_time(const Motion1& m, const Motion1& own) { return {m.p, m.v * own.v, m.a * own.v * own.v + m.v * own.a}; }
 
 /// Velocity at a knot p, `h_0` after (p_0, v_0) and `h_1` before (p_1, v_1), such that the cubics on both sides have one acceleration there.
 double knot_velocity(double p_0, double v_0, double h_0, double p, double h_1, double p_1, double v_1) {

@@ -18,6 +18,8 @@ RobotDescription with_limits(RobotDescription description, const std::map<std::s
   return description;
 }
 
+double whole_fraction(const WalkSettings& s) { return std::max(s.zmp.whole_fraction, s.zmp.sole_fraction); }
+
 double top_speed(const VelocityProfile& profile) {
   double top = 0.0;
   for (const Vec3& v : profile.v()) top = std::max(top, v.x());
@@ -35,9 +37,9 @@ WalkingController::WalkingController(const mjModel* model, const RobotDescriptio
       bounds_{bounds_of(robot_, kLeft, settings_, settings_.zmp.sole_fraction),
               bounds_of(robot_, kRight, settings_, settings_.zmp.sole_fraction)},
       height_(height_over_soles(robot_.dynamics()), robot_.dynamics().gravity.norm(), settings_),
-      gait_(settings_, profile_, sole_, bounds_,
-            {bounds_of(robot_, kLeft, settings_, std::max(settings_.zmp.whole_fraction, settings_.zmp.sole_fraction)),
-             bounds_of(robot_, kRight, settings_, std::max(settings_.zmp.whole_fraction, settings_.zmp.sole_fraction))}),
+      whole_{bounds_of(robot_, kLeft, settings_, whole_fraction(settings_)),
+             bounds_of(robot_, kRight, settings_, whole_fraction(settings_))},
+      gait_(settings_, profile_, sole_, bounds_, whole_),
       reach_(robot_, settings_, gait_.cadence()),
       tracker_(settings_.tracking),
       reference_(settings_),

@@ -98,8 +98,9 @@ class FootstepPlanner {
 
   /// The plan around a double support with its middle at `t_mid` [s], and in the `period` [s] after it.
   PlannedStance stance_at(double t_mid, double period) const;
-  void hurry(double extra) { extra_ = extra; }
-  double extra() const { return extra_; }
+  /// Steps are to be longer than the plan's by `speed` times their period [m/s].
+  void hurry(double speed) { hurried_ = speed; }
+  double hurried() const { return hurried_; }
 
   /// How far step `n` lands ahead of the stance foot, where the double support after it is that of `next` [m].
   double lead(int n, const PlannedStance& next) const;
@@ -155,7 +156,7 @@ class FootstepPlanner {
   PathPoint stance_;
   Side swing_ = kLeft;
   bool closing_ = false;
-  double extra_ = 0.0;
+  double hurried_ = 0.0;
 };
 
 }  // namespace zmpwalk

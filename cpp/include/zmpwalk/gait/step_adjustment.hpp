@@ -7,24 +7,24 @@ namespace zmpwalk {
 
 /// One horizontal axis of the step under way, as lengths from the support foot [m].
 struct StepAxis {
-  double xi = 0.0;                           ///< DCM now
-  double zmp_lower = 0.0, zmp_upper = 0.0;   ///< where the ZMP may be until the swing foot takes over
-  double place = 0.0;                        ///< where the swing foot is planned to land at the planned time
-  double drift = 0.0;                        ///< by how much that place moves when the foot lands later [m/s]
+  double xi = 0.0;                              ///< DCM now
+  double zmp_lower = 0.0, zmp_upper = 0.0;      ///< where the ZMP may be until the swing foot takes over
+  double place = 0.0;                           ///< where the swing foot is planned to land at the planned time
+  double drift = 0.0;                           ///< by how much that place moves when the foot lands later [m/s]
   double place_lower = 0.0, place_upper = 0.0;  ///< where the leg can set it down
-  double foot = 0.0;                         ///< where the swing foot is now
-  double foot_velocity = 0.0;                ///< its velocity [m/s]
-  double foot_acceleration = 0.0;            ///< largest acceleration that it may take [m/s^2]
-  double offset = 0.0;                       ///< of the DCM from the landed foot when it takes over, in the walk as planned
+  double foot = 0.0;                            ///< where the swing foot is now
+  double foot_velocity = 0.0;                   ///< its velocity [m/s]
+  double foot_acceleration = 0.0;               ///< largest acceleration that it may take [m/s^2]
+  double offset = 0.0;  ///< of the DCM from the landed foot when it takes over, in the walk as planned
 };
 
 /// What the choice of a landing time has to respect.
 struct StepLimits {
-  double planned = 0.0;     ///< time until the foot lands as planned, from now; negative where that is over [s]
-  double current = 0.0;     ///< time until the foot lands as decided so far, from now [s]
-  double least = 0.0;       ///< earliest landing that the leg can make, from now [s]
-  double most = 0.0;        ///< latest landing that may be waited for, from now [s]
-  double take_over = 0.0;   ///< from the landing until the foot carries the ZMP [s]
+  double planned = 0.0;    ///< time until the foot lands as planned, from now; negative where that is over [s]
+  double current = 0.0;    ///< time until the foot lands as decided so far, from now [s]
+  double least = 0.0;      ///< earliest landing that the leg can make, from now [s]
+  double most = 0.0;       ///< latest landing that may be waited for, from now [s]
+  double take_over = 0.0;  ///< from the landing until the foot carries the ZMP [s]
 };
 
 /// What a landing time is judged by; see `StepAdjustment::cost`.

@@ -30,7 +30,7 @@ class OwnTime {
 
  private:
   double end_, landing_;
-  Motion1 from_{0.0, 1.0, 0.0};                     // at `start_`
+  Motion1 from_{0.0, 1.0, 0.0};                    // at `start_`
   double start_ = 0.0, blend_ = 0.0, rate_ = 1.0;  // after the blend
 };
 
