@@ -53,6 +53,7 @@ from ._core import (
 )
 from .motion import JointMotion
 from .profiles import VelocityProfile
+from .pushes import PushMap, push_map
 from .robots import (
     Foot,
     Proposal,
@@ -67,6 +68,7 @@ from .settings import load_settings, settings_toml
 from .simulation import Recorder, WalkingController, simulate, simulate_batch
 from .tasks import FrameTask, JointTask, MomentumTask
 from .trace import Trace
+from .verdict import Verdict, judge
 from .waypoints import Waypoints, walk_to
 
 __all__ = [
@@ -87,6 +89,7 @@ __all__ = [
     "MomentumTask",
     "Plane",
     "Proposal",
+    "PushMap",
     "Recorder",
     "Robot",
     "RobotDescription",
@@ -96,6 +99,7 @@ __all__ = [
     "Trace",
     "VelocityProfile",
     "VelocityTracker",
+    "Verdict",
     "VersionError",
     "WalkSettings",
     "WalkingController",
@@ -111,11 +115,13 @@ __all__ = [
     "distribute_wrench",
     "errors",
     "iterate_reference",
+    "judge",
     "load_robot",
     "load_settings",
     "measured_zmp",
     "plot",
     "propose",
+    "push_map",
     "read_description",
     "render",
     "settings_toml",

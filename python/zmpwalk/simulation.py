@@ -15,6 +15,7 @@ import numpy as np
 
 from . import _core, tasks
 from ._build import VERSION
+from .disturbances import Pushes, pushes_of
 from .errors import InputError
 from .given import Settings, settings_of
 from .motion import JointMotion
@@ -27,6 +28,7 @@ __all__ = ["Recorder", "WalkingController", "simulate", "simulate_batch"]
 Progress = Callable[[float, float], None]
 Steer = Callable[[float, Any], Union[float, Sequence[float], None]]
 COMMAND_INTERVAL = 0.02  # between calls of `command` [s]
+ON_FALL = ("stop", "go_on")
 _NO_MOTION = _core.JointMotion([0.0], [], np.zeros((1, 0)))
 
 
@@ -233,6 +235,8 @@ def simulate(
     motion: _core.JointMotion | None = None,
     command: Steer | None = None,
     tasks: Sequence[Any] = (),
+    push: Pushes = (),
+    on_fall: str = "stop",
 ) -> Trace:
     """Walk in MuJoCo, wholly in C++, and return the record.
 
@@ -253,23 +257,31 @@ def simulate(
             in the heading frame [m/s, m/s, rad/s], None leaves the command as it is, and until the first one the
             profile leads. StopIteration ends the walk; what else it raises stops the run and passes on.
         tasks: what the robot does besides, from the start (`WalkingController.add`).
+        push: forces from outside, each (t [s], duration [s], body, force [N]): a constant force (fx, fy, fz) in the
+            world's axes at the centre of mass of a body during [t, t + duration). The body None is the trunk: the
+            first body whose name holds "torso" or "trunk", else the root body. The controller is not told.
+        on_fall: "stop" ends the walk where the controller says that the robot has fallen. "go_on" takes this for an
+            alarm, which `meta["alarm_time"]` keeps, and ends only where the robot lies on the ground (something beside
+            its legs touches it, or the COM has come down to 30 % of its height) or is not finite: these alone are
+            falls then.
 
     Returns:
         The trace, one row per control cycle.
 
     Raises:
-        InputError: a bad duration, setting, speed or command.  ModelError: a robot that cannot be used.
+        InputError: a bad duration, setting, speed, command or push.  ModelError: a robot that cannot be used.
         KeyboardInterrupt: Ctrl-C, within 0.1 s.
 
     Usage: `trace = zmpwalk.simulate("mahru", profile=0.2, duration=10, settings={"step_height": 0.05})`
         `zmpwalk.simulate(profile=0.0, command=lambda t, out: (0.2, 0.0, 0.3 - out.heading))`
+        `zmpwalk.simulate(duration=12, push=[(4.0, 0.08, None, (0, 100, 0))], on_fall="go_on")`
     """
     model, description = load_robot(robot)
     controller = WalkingController(model, description, settings, profile)
     controller.move(motion)
     for task in tasks:
         controller.add(task)
-    return run(controller, duration, on_progress, seed, name_of(robot), command)
+    return run(controller, duration, on_progress, seed, name_of(robot), command, push=push, on_fall=on_fall)
 
 
 def simulate_batch(
@@ -299,7 +311,7 @@ def simulate_batch(
         threads = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
     if isinstance(threads, bool) or not isinstance(threads, (int, np.integer)) or threads < 1:
         raise InputError(f"threads is {threads!r}; it must be an integer of at least 1")
-    known = ("robot", "profile", "duration", "settings", "seed", "motion", "command", "tasks")
+    known = ("robot", "profile", "duration", "settings", "seed", "motion", "command", "tasks", "push", "on_fall")
     robots: dict[Any, tuple[mujoco.MjModel, RobotDescription]] = {}
     jobs = []
     runs = list(runs)  # keeps models alive that are told apart by their id
@@ -316,7 +328,9 @@ def simulate_batch(
         for task in given.get("tasks", ()):
             controller.add(task)
         duration, seed = check_duration(given.get("duration", 8.0)), _check_seed(given.get("seed", 0))
-        jobs.append((controller, duration, seed, name_of(robot), given.get("command")))
+        outside = {"push": given.get("push", ()), "on_fall": given.get("on_fall", "stop")}
+        _simulation_of(controller, **outside)  # what is wrong with them is said before the first walk begins
+        jobs.append((controller, duration, seed, name_of(robot), given.get("command"), outside))
 
     done, total = [0.0] * len(jobs), sum(job[1] for job in jobs)
     stop = threading.Event()
@@ -327,9 +341,9 @@ def simulate_batch(
             if stop.is_set():
                 raise _Stopped
 
-        controller, duration, seed, label, command = jobs[i]
+        controller, duration, seed, label, command, outside = jobs[i]
         at(0.0, duration)
-        trace = run(controller, duration, at, seed, label, command)
+        trace = run(controller, duration, at, seed, label, command, **outside)
         done[i] = duration
         return trace
 
@@ -361,6 +375,8 @@ def run(
     robot: str | None = None,
     command: Steer | None = None,
     command_interval: float = COMMAND_INTERVAL,
+    push: Pushes = (),
+    on_fall: str = "stop",
 ) -> Trace:
     """`simulate` with a controller that exists already; `robot` is the name that the trace carries.
 
@@ -372,11 +388,27 @@ def run(
     progress = on_progress or (lambda t, duration: None)
     steer: Any = None if command is None else lambda t, out: _velocity(command(t, out))
     controller._begin_tasks_anew()
-    columns, info = _core.simulate(controller, duration, progress, steer, command_interval)
+    simulation, outside = _simulation_of(controller, push, on_fall)
+    columns, info = simulation.run(duration, progress, steer, command_interval, on_fall)
     if info["stopped"]:
         duration = len(columns["t"]) * float(controller.settings.control_dt)
-    model, meta = _describe_run(controller, robot, info, source="simulate", seed=seed, requested_duration=duration)
+    model, meta = _describe_run(
+        controller, robot, info, source="simulate", seed=seed, requested_duration=duration, **outside
+    )
     return Trace(columns, meta, model, copy=False)
+
+
+def _simulation_of(
+    controller: WalkingController, push: Pushes, on_fall: str
+) -> tuple[_core.Simulation, dict[str, Any]]:
+    """The simulation with all that acts on it from outside, and how a trace tells of this."""
+    if on_fall not in ON_FALL:
+        raise InputError(f"on_fall is {on_fall!r}; it must be {' or '.join(ON_FALL)}")
+    simulation = _core.Simulation(controller)
+    pushes = [each._replace(body=each.body or _core.trunk_body(controller)) for each in pushes_of(push)]
+    for each in pushes:
+        simulation.push(*each)
+    return simulation, {"push": [list(each) for each in pushes], "on_fall": on_fall}
 
 
 def _velocity(v: float | Sequence[float] | None) -> np.ndarray | None:
@@ -430,7 +462,8 @@ def rerun(trace: Trace, on_progress: Progress | None = None) -> Trace:
             return given.get(t)
 
         steer = command if given or trace.meta.get("tasks") else None
-        return run(controller, duration, on_progress, seed, robot, steer, command_interval=0.0)
+        push, on_fall = trace.meta.get("push", ()), trace.meta.get("on_fall", "stop")
+        return run(controller, duration, on_progress, seed, robot, steer, 0.0, push, on_fall)
     data = mujoco.MjData(model)
     set_state(trace, model, data, 0)
     data.time = trace.t[0]
@@ -509,6 +542,8 @@ def _describe_run(
         "fell": fell,
         "fall_time": float(info["fall_time"]) if fell else None,
         "fall_cause": str(info["fall_cause"] or "") if fell else "",
+        "alarm_time": info.get("alarm_time") if info.get("alarm_cause") else None,
+        "alarm_cause": info.get("alarm_cause", ""),
         "timing": _timing(info, control_dt),
     }
     return compiled, plain(meta)

@@ -1,51 +1,27 @@
 #pragma once
 
 #include <functional>
-#include <string>
 #include <vector>
 
-#include "zmpwalk/robot/contact_forces.hpp"
+#include "zmpwalk/robot/state.hpp"
+#include "zmpwalk/simulation/push.hpp"
+#include "zmpwalk/simulation/recorder.hpp"
 #include "zmpwalk/walk/walking_controller.hpp"
 
 namespace zmpwalk {
 
-/// One column of a trace: `width` numbers a row, rows one after the other.
-struct Column {
-  std::string name;
-  int width;
-  std::vector<double> values;
-};
-
-/// Cycle records as columns: those of `visit_columns`, in its order. Row k is the state before step k and what was decided there.
-class Recorder {
- public:
-  /// @param controller must outlive the recorder   @param duration to set memory aside for, so that `add` does not allocate [s]
-  explicit Recorder(const WalkingController& controller, double duration = 0.0);
-
-  /// Adds one row, if `out` is a new cycle. Call right after mj_step: `data` then holds the contact forces of this cycle.
-  void add(const CycleOutput& out, const mjData* data);
-
-  /// Marks the last row as a fall that shows only after the step: a state that is not finite, a foot that is lost.
-  void mark_fall();
-
-  const std::vector<Column>& columns() const { return columns_; }
-  /// The columns themselves; the recorder is of no more use.
-  std::vector<Column> take_columns() { return std::move(columns_); }
-  std::size_t rows() const { return rows_; }
-  /// Contact of the last row.
-  const MeasuredContact& contact() const { return contact_; }
-
- private:
-  const WalkingController* controller_;
-  std::vector<Column> columns_;
-  std::size_t rows_ = 0;
-  MeasuredContact contact_;
+/// What a run does when the robot has fallen by the controller's own word, or has lost the ground for long.
+enum class OnFall {
+  kStop,  ///< ends: that is a fall
+  kGoOn  ///< takes it for an alarm and goes on until the robot lies on the ground, or is not finite: only these are falls then
 };
 
 /// How a run ended.
 struct RunResult {
   Fall fell = Fall::kNone;
   double fall_time = kNaN;       ///< [s]
+  Fall alarm = Fall::kNone;      ///< the first word of a fall; with OnFall::kStop the fall itself
+  double alarm_time = kNaN;      ///< [s]
   bool stopped = false;          ///< a callback asked for it
   double wall_time = 0.0;        ///< [s]
   std::vector<double> cycle_us;  ///< time of each control cycle [us]
@@ -59,21 +35,31 @@ class Simulation {
   explicit Simulation(WalkingController& controller);
   ~Simulation();
 
-  /// Walks until `duration` [s], a fall, or a stop.
+  /// Pushes the robot, from the next step on or later. @throws InputError  as `Pushes::add`
+  void push(const Push& push) { pushes_.add(push); }
+
+  /// Walks for `duration` [s], until a fall, or a stop. The first run starts the walk, every later one goes on where the last has ended.
   ///
   /// @param recorder  gets one row per control cycle
   /// @param progress  called about every `progress_interval` [s of wall time] with the simulation time; returns false to stop
-  /// @param after_cycle  called after the first cycle's `update` and then every `cycle_interval` [s], before the step; false to stop
+  /// @param after_cycle  called after the run's first cycle's `update` and then every `cycle_interval` [s], before the step; false to stop
   /// @throws InputError duration is not finite and > 0
   RunResult run(double duration, Recorder& recorder, const std::function<bool(double)>& progress = {},
                 double progress_interval = 0.1, const std::function<bool(const CycleOutput&)>& after_cycle = {},
-                double cycle_interval = 0.0);
+                double cycle_interval = 0.0, OnFall on_fall = OnFall::kStop);
 
   mjData* data() { return data_.get(); }
 
  private:
+  Fall lies() const;  // kDown where the robot lies on the ground
+
   WalkingController& controller_;
   MjDataPtr data_;
+  Pushes pushes_;
+  bool started_ = false;
+  double start_height_ = 0.0;  // of the COM over the lower sole [m]
+  double airborne_ = 0.0;      // [s]
+  Sensed felt_;                // by the feet, in the step before
 };
 
 }  // namespace zmpwalk

@@ -10,12 +10,13 @@ from typing import Any
 
 import click
 
+from ..disturbances import pushes_of
 from ..figures import FILES
 from ..files import as_input_error, together
 from ..motion import JointMotion
 from ..profiles import profile_of
 from ..robots import examine
-from ..simulation import WalkingController, check_duration, run
+from ..simulation import ON_FALL, WalkingController, check_duration, run
 from ..trace import Trace
 from .options import walk_options
 from .terminal import FELL, INTERRUPTED, STOOD, Progress, new_console, number
@@ -28,6 +29,19 @@ MISMATCH = 0.002  # of footsteps and planned velocity worth a warning [m/s]; 0.0
 @click.command("walk")
 @walk_options
 @click.option("--motion", type=click.Path(path_type=Path), help="CSV of arm, waist, trunk angles: t,JOINT,...")
+@click.option(
+    "--push",
+    multiple=True,
+    metavar="T:DURATION:BODY:FX,FY,FZ",
+    help="Force [N] on a body from T for DURATION [s]: 3.0:0.08:torso:0,50,0; no BODY is the trunk. Repeatable.",
+)
+@click.option(
+    "--on-fall",
+    type=click.Choice(ON_FALL),
+    default="stop",
+    show_default=True,
+    help="go_on: walk on until the robot lies on the ground, whatever the controller says.",
+)
 @click.option("--out", type=click.Path(path_type=Path), help="Folder to write into.  [default: out/ROBOT-LAW]")
 @click.option("--json", "as_json", is_flag=True, help="Print the summary as JSON, and nothing else, on stdout.")
 @click.option("--no-figures", is_flag=True, help="Write trace and summary only.")
@@ -37,6 +51,8 @@ def command(
     motion: Path | None,
     duration: float,
     settings: Any,
+    push: tuple[str, ...],
+    on_fall: str,
     out: Path | None,
     as_json: bool,
     no_figures: bool,
@@ -49,6 +65,7 @@ def command(
     name = robot if robot.isidentifier() else found.description.name
     controller = WalkingController(model, found.description, settings, velocity)
     controller.move(None if motion is None else JointMotion.from_csv(motion))
+    pushes = pushes_of(push)
     mismatch = controller.plan_mismatch(duration)
     out = out or Path("out") / f"{name}-{settings.law}"
     with together(out) as (draft, deliver):
@@ -64,7 +81,7 @@ def command(
         try:
             with as_input_error(out):
                 with progress:
-                    trace = run(controller, duration, progress.at, robot=name)
+                    trace = run(controller, duration, progress.at, robot=name, push=pushes, on_fall=on_fall)
                 files = _write(trace, draft, no_figures)
         except KeyboardInterrupt:
             print(f"zmpwalk: stopped at t = {progress.t:.2f} s of {duration:g} s; nothing was written", file=sys.stderr)
