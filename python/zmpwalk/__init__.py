@@ -25,7 +25,7 @@ except VersionError as error:
         raise SystemExit(2) from None
     raise
 
-from . import analysis, errors, simulation, trace
+from . import analysis, errors, pushes, simulation, trace
 from ._build import VERSION as __version__
 from ._core import (
     Contact,
@@ -51,6 +51,7 @@ from ._core import (
     solve_reference,
     zmp_on_plane,
 )
+from .capture import PendulumWalk, pendulum_limit
 from .motion import JointMotion
 from .profiles import VelocityProfile
 from .pushes import PushMap, push_map
@@ -87,6 +88,7 @@ __all__ = [
     "LinearInvertedPendulum",
     "ModelError",
     "MomentumTask",
+    "PendulumWalk",
     "Plane",
     "Proposal",
     "PushMap",
@@ -119,6 +121,7 @@ __all__ = [
     "load_robot",
     "load_settings",
     "measured_zmp",
+    "pendulum_limit",
     "plot",
     "propose",
     "push_map",
@@ -141,7 +144,15 @@ def _plot(*arguments: Any, **options: Any) -> Any:
     return plot.draw(*arguments, **options)
 
 
+def _plot_pushes(push_map: PushMap) -> Any:
+    """`PushMap.plot`."""
+    from . import plot
+
+    return plot.pushes(push_map)
+
+
 trace.ABOVE.update(plot=_plot, rerun=simulation.rerun)
+pushes.ABOVE.update(plot=_plot_pushes)
 
 
 def __getattr__(name: str) -> ModuleType:

@@ -17,6 +17,7 @@ from .figures import FILES
 from .figures.footprints import footprints
 from .figures.iteration import iteration
 from .figures.position import lateral, sagittal
+from .figures.pushes import pushes
 from .figures.style import BOUND, COM, DESIRED, ESTIMATED, FAINT, MEASURED, PLANNED, SOLE, STYLE, WIDTH, WalkFigure
 from .figures.switch import switch
 from .figures.velocity import tracking, velocity
@@ -42,6 +43,7 @@ __all__ = [
     "footprints",
     "iteration",
     "lateral",
+    "pushes",
     "sagittal",
     "save_all",
     "switch",

@@ -11,13 +11,14 @@ import pickle
 import signal
 import subprocess
 import sys
-from dataclasses import dataclass, field
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Callable, Iterator, Sequence
 
 import numpy as np
 
 from ._core import trunk_body
+from .capture import PendulumWalk, pendulum_limit
 from .errors import InputError, ModelError
 from .files import as_input_error, whole
 from .given import Settings
@@ -33,6 +34,9 @@ PUSH_TIME = 0.08  # how long a push lasts [s]
 ACCELERATION = 0.2  # at which the walk before the pushes gains its speed [m/s^2, rad/s^2]
 SETTLE = 8.0  # of walking at the full speed before the first push [s]
 STANCES = ("left", "right")
+
+# The room that draws stands on this one; `zmpwalk/__init__.py` puts its function here.
+ABOVE: dict[str, Callable[..., Any]] = {}
 
 
 @dataclass(frozen=True)
@@ -66,10 +70,12 @@ class PushMap:
     """share of the period in single support; phases below it begin there"""
     limit: float
     """up to which was pushed [N s/kg]"""
+    pendulum: np.ndarray
+    """the pendulum's limit (phases, directions) [N s/kg], see `zmpwalk.pendulum_limit`"""
+    pendulum_assumptions: str
     trials: int
     wall_time: float
     """[s]"""
-    meta: dict[str, Any] = field(default_factory=dict, repr=False)
 
     @property
     def worst(self) -> float:
@@ -99,6 +105,7 @@ class PushMap:
                 "direction_deg": float(direction),
                 "felling_Ns_per_kg": float(self.felling[s, i, k]),
                 "felling_Ns": float(self.felling[s, i, k]) * self.mass,
+                "pendulum_Ns_per_kg": float(self.pendulum[i, k]),
             }
             for s, stance in enumerate(self.stances)
             for i, phase in enumerate(self.phases)
@@ -122,6 +129,16 @@ class PushMap:
             draft.write_text(text.getvalue(), encoding="utf-8")
         return path
 
+    def plot(self) -> Any:
+        """A polar figure for each phase, with the pendulum's limit beside.
+
+        Returns:
+            A matplotlib Figure, which a notebook shows.
+
+        Usage: `push_map().plot().savefig("pushes.png")`
+        """
+        return ABOVE["plot"](self)
+
     def to_dict(self) -> dict[str, Any]:
         """Plain numbers and words that JSON can hold; NaN becomes None."""
         return plain({**self.__dict__, "worst": self.worst, "mean": self.mean}, finite=True)
@@ -132,6 +149,7 @@ class PushMap:
             for i, phase in enumerate(self.phases):
                 label = f"{stance} {phase:.3f} {self.support(phase)}" if math.isfinite(self.period) else "standing"
                 lines.append(f"{label:>18s} " + "".join(f"{f:7.2f}" for f in self.felling[s, i]))
+        lines.append(f"{'pendulum, worst':>18s} " + "".join(f"{p:7.2f}" for p in self.pendulum.min(axis=0)))
         lines.append(f"{'worst':>18s} " + "".join(f"{f:7.2f}" for f in self.by_direction()))
         lines.append(f"worst {self.worst:.2f} N s/kg ({self.worst * self.mass:.1f} N s), mean {self.mean:.3f} N s/kg")
         return "\n".join(lines)
@@ -237,10 +255,15 @@ def push_map(
             wall_time = line["wall_time"]
         if on_progress:
             on_progress(done, felling.size)
+    pendulum = PendulumWalk.of((model, description), float(v[0]), controller.settings)
+    if math.isfinite(period):
+        pendulum = replace(pendulum, period=period, double_support=(1.0 - single) * period)
+    bound = pendulum_limit(pendulum, angles, shares)
     return PushMap(
         robot=name_of(robot) or description.name, mass=float(controller.mass), velocity=tuple(v.tolist()), body=body,
         duration=PUSH_TIME, stances=stances, phases=shares, directions=angles, felling=felling, period=period,
-        single_support=single, limit=limit, trials=trials, wall_time=wall_time,
+        single_support=single, limit=limit,
+        pendulum=bound, pendulum_assumptions=pendulum.assumptions(), trials=trials, wall_time=wall_time,
     )  # fmt: skip
 
 

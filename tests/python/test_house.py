@@ -18,8 +18,8 @@ FLOORS = [
     ["tasks", "verdict"],
     ["trace"],
     ["simulation"],
-    ["waypoints", "bench", "render", "pushes", "trials"],
-    ["view", "figures"],
+    ["waypoints", "bench", "render", "capture", "trials"],
+    ["view", "figures", "pushes"],
     ["plot"],
     ["cli"],
     ["", "__main__"],  # the package's own __init__, which knows all rooms
