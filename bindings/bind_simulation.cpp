@@ -98,8 +98,10 @@ py::tuple run(Simulation& simulation, WalkingController& controller, double dura
 
 /// A simulation that keeps the controller it steps, as Python sees it.
 struct PySimulation : Simulation {
-  explicit PySimulation(WalkingController& c) : Simulation(c), controller(c) {}
+  PySimulation(WalkingController& c, const Uncertainty& uncertainty, const py::object& model)
+      : Simulation(c, uncertainty, model.is_none() ? nullptr : model_of(model)), controller(c), simulated(model) {}
   WalkingController& controller;
+  py::object simulated;
 };
 
 }  // namespace
@@ -147,18 +149,42 @@ void bind_simulation(py::module_& m) {
           "Columns by name, (T,) or (T, n): a copy.")
       .def("__len__", &Recorder::rows);
 
+  py::class_<SensorNoise>(m, "SensorNoise", "Standard deviations of what is measured; white and Gaussian.")
+      .def(py::init<>())
+      .def_readwrite("joint", &SensorNoise::joint, "Joint positions [rad].")
+      .def_readwrite("joint_speed", &SensorNoise::joint_speed, "[rad/s]")
+      .def_readwrite("gyro", &SensorNoise::gyro, "Angular velocity of the base [rad/s].")
+      .def_readwrite("attitude", &SensorNoise::attitude, "Of the base, about each of its axes [rad].")
+      .def_readwrite("base_speed", &SensorNoise::base_speed, "Along each axis [m/s].");
+  py::class_<Uncertainty>(
+      m, "SignalUncertainty",
+      "What lies between a robot and its controller: noise, bias, delays, lag. `zmpwalk.Uncertainty` "
+      "makes it.")
+      .def(py::init<>())
+      .def_readwrite("noise", &Uncertainty::noise, "Of the sensors.")
+      .def_readwrite("roll_bias", &Uncertainty::roll_bias, "Of the measured attitude, about the base's x [rad].")
+      .def_readwrite("pitch_bias", &Uncertainty::pitch_bias, "The same about its y [rad].")
+      .def_readwrite("state_delay", &Uncertainty::state_delay, "Age of what is measured [s].")
+      .def_readwrite("torque_delay", &Uncertainty::torque_delay, "From a torque's decision to its effect [s].")
+      .def_readwrite("lag", &Uncertainty::lag, "Time constant with which a drive takes a torque up [s].")
+      .def_readwrite("seed", &Uncertainty::seed, "Of the noise.");
   py::class_<PySimulation>(m, "Simulation",
                            "The closed loop in C++ from the start pose, the interpreter's lock released. It may be run "
                            "in several stretches.")
-      .def(py::init<WalkingController&>(), "controller"_a, py::keep_alive<1, 2>())
+      .def(py::init<WalkingController&, const Uncertainty&, const py::object&>(), "controller"_a,
+           "uncertainty"_a = Uncertainty(), "simulated"_a = py::none(), py::keep_alive<1, 2>(),
+           "Args:\n    uncertainty: what lies between robot and controller.\n    simulated: the model that is "
+           "simulated, None where it is the controller's.\n\nRaises:\n    ModelError, InputError.")
       .def(
           "push",
-          [](PySimulation& s, double t, double duration, const std::string& body, const Vec3& force) {
-            s.push({t, duration, body, force});
+          [](PySimulation& s, double t, double duration, const std::string& body, const Vec6& wrench) {
+            s.push({t, duration, body, wrench});
           },
-          "t"_a, "duration"_a, "body"_a, "force"_a,
-          "A constant force on a body, at its centre of mass, in [t, t + duration).\n\nArgs:\n    t, duration: [s].\n"
-          "    body: a name; \"\" takes the trunk.\n    force: world axes (3,) [N].\n\nRaises:\n    InputError.")
+          "t"_a, "duration"_a, "body"_a, "wrench"_a,
+          "A constant force and torque on a body, at its centre of mass, in [t, t + duration).\n\nArgs:\n    t, "
+          "duration: [s].\n"
+          "    body: a name; \"\" takes the trunk.\n    wrench: force, then torque, world axes (6,) [N, N "
+          "m].\n\nRaises:\n    InputError.")
       .def(
           "run",
           [](PySimulation& s, double duration, const py::object& on_progress, const py::object& command,

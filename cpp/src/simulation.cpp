@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <string>
 
 #include "zmpwalk/math/error.hpp"
 #include "zmpwalk/robot/contact_forces.hpp"
@@ -37,36 +38,70 @@ double com_height(const Robot& robot, const mjData* d) {
          std::min(robot.sole_centre(kLeft, d).z(), robot.sole_centre(kRight, d).z());
 }
 
+/// The robot in `simulated`, if there is one.
+std::unique_ptr<Robot> another_robot(const Robot& known, const mjModel* simulated) {
+  if (!simulated) return nullptr;
+  auto robot = std::make_unique<Robot>(simulated, known.description());
+  const std::vector<std::string>&want = known.joint_names(), &got = robot->joint_names();
+  if (want.size() != got.size())
+    throw ModelError("the simulated robot has " + std::to_string(got.size()) + " joints, the controller's has " +
+                     std::to_string(want.size()));
+  for (std::size_t j = 0; j < want.size(); ++j)
+    if (want[j] != got[j])
+      throw ModelError("joint " + std::to_string(j) + " of the simulated robot is '" + got[j] +
+                       "', of the controller's '" + want[j] + "': they must have the same joints in the same order");
+  return robot;
+}
+
 }  // namespace
 
-Simulation::Simulation(WalkingController& controller)
-    : controller_(controller), data_(mj_makeData(controller.robot().model())), pushes_(controller.robot()) {
-  const Robot& robot = controller.robot();
-  robot.description().place(robot.model(), data_.get(), -kTouchDepth);
-  const MeasuredContact contact = measure_contact(robot, data_.get());
+Simulation::Simulation(WalkingController& controller, const Uncertainty& uncertainty, const mjModel* simulated)
+    : controller_(controller),
+      apart_(another_robot(controller.robot(), simulated)),
+      data_(mj_makeData(robot().model())),
+      pushes_(robot()),
+      direct_(!apart_ && uncertainty.none()),
+      sensors_(uncertainty, robot().nv(), robot().timestep()),
+      drives_(uncertainty, robot().joints(), robot().timestep()),
+      truth_(robot().nv()),
+      told_(robot().nv()) {
+  const mjModel* m = robot().model();
+  const RobotDescription& description = robot().description();
+  description.place(m, data_.get(), -kTouchDepth);
+  const MeasuredContact contact = measure_contact(robot(), data_.get());
   for (const Side side : kSides)
     if (std::isnan(contact.wrench[6 * side]))
-      throw ModelError("at the start pose the foot '" + robot.description().feet[side].body +
+      throw ModelError("at the start pose the foot '" + description.feet[side].body +
                        "' touches nothing: the model needs a floor at z = 0 that its feet collide with");
-  mj_resetData(robot.model(), data_.get());
-  robot.description().place(robot.model(), data_.get());
-  start_height_ = com_height(robot, data_.get());
+  mj_resetData(m, data_.get());
+  description.place(m, data_.get());
+  start_height_ = com_height(robot(), data_.get());
 }
 
 Simulation::~Simulation() = default;
 
+const CycleOutput& Simulation::control(Terms terms) {
+  mjData* d = data_.get();
+  if (direct_) return controller_.update(d, terms, felt_);
+  told_ = sensors_.measure(truth_);
+  robot().observe(d, truth_);  // once more for the record: MuJoCo has normalized its quaternion
+  static_cast<Sensed&>(told_) = felt_;
+  const CycleOutput& out = controller_.update(told_);
+  robot().write_torque(drives_.act(out.tau), d);
+  return out;
+}
+
 Fall Simulation::lies() const {
-  const Robot& robot = controller_.robot();
-  const mjModel* m = robot.model();
+  const mjModel* m = robot().model();
   const mjData* d = data_.get();
-  if (com_height(robot, d) < kLyingHeight * start_height_) return Fall::kDown;
+  if (com_height(robot(), d) < kLyingHeight * start_height_) return Fall::kDown;
   for (int i = 0; i < d->ncon; ++i) {
     const mujoco_compat::ContactPair pair = mujoco_compat::contact_pair(d->contact[i]);
     if (pair.first < 0 || pair.second < 0) continue;  // not between two geoms
     const int body_1 = m->geom_bodyid[pair.first], body_2 = m->geom_bodyid[pair.second];
-    const bool is_first = robot.is_robot(body_1);
+    const bool is_first = robot().is_robot(body_1);
     const int own = is_first ? body_1 : body_2, other = is_first ? body_2 : body_1;
-    if (robot.is_robot(own) && m->body_weldid[other] == 0 && !robot.is_leg(own)) return Fall::kDown;
+    if (robot().is_robot(own) && m->body_weldid[other] == 0 && !robot().is_leg(own)) return Fall::kDown;
   }
   return Fall::kNone;
 }
@@ -75,10 +110,12 @@ RunResult Simulation::run(double duration, Recorder& recorder, const std::functi
                           double progress_interval, const std::function<bool(const CycleOutput&)>& after_cycle,
                           double cycle_interval, OnFall on_fall) {
   require_positive("duration", duration);
-  const Robot& robot = controller_.robot();
-  const mjModel* m = robot.model();
+  const mjModel* m = robot().model();
   mjData* d = data_.get();
-  if (!started_) controller_.reset(d);
+  if (!started_) {
+    robot().observe(d, truth_);
+    controller_.reset(truth_);
+  }
   started_ = true;
   const double t_end = d->time + duration, dt = m->opt.timestep;
   const bool in_two = m->opt.integrator != mjINT_RK4;  // MuJoCo cannot part a Runge-Kutta step
@@ -89,12 +126,13 @@ RunResult Simulation::run(double duration, Recorder& recorder, const std::functi
   const auto start = std::chrono::steady_clock::now();
   double reported = 0.0;
   while (d->time + 0.5 * dt < t_end) {
-    if (!robot.is_finite(d) || diverged(d)) {
+    if (!robot().is_finite(d) || diverged(d)) {
       result.fell = Fall::kNonFinite;
       break;
     }
     const double t = d->time;
     pushes_.apply(t, d);
+    if (!direct_) robot().observe(d, truth_);
     if (in_two) mj_step1(m, d);
     if (diverged(d)) {  // MuJoCo has reset itself, and with it the clock: what it holds now is no state of the walk
       d->time = t;
@@ -102,7 +140,7 @@ RunResult Simulation::run(double duration, Recorder& recorder, const std::functi
       break;
     }
     const auto before = std::chrono::steady_clock::now();
-    const CycleOutput& out = controller_.update(d, in_two ? Terms::kInData : Terms::kCompute, felt_);
+    const CycleOutput& out = control(in_two ? Terms::kInData : Terms::kCompute);
     if (out.fresh) result.cycle_us.push_back(1e6 * seconds_since(before));
     if (after_cycle && out.fresh && cycle++ % every == 0 && !after_cycle(out)) result.stopped = true;
     if (in_two)
@@ -110,7 +148,10 @@ RunResult Simulation::run(double duration, Recorder& recorder, const std::functi
     else
       mj_step(m, d);
     if (diverged(d)) d->time = t + dt;
-    recorder.add(out, d);
+    if (direct_)
+      recorder.add(out, d);
+    else
+      recorder.add(out, d, robot(), truth_);
     if (out.fresh) {
       for (const Side side : kSides) {
         felt_.wrench[side] = recorder.contact().wrench.segment<6>(6 * side);

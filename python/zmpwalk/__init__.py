@@ -52,6 +52,7 @@ from ._core import (
     zmp_on_plane,
 )
 from .capture import PendulumWalk, pendulum_limit
+from .disturbances import Push, Uncertainty
 from .motion import JointMotion
 from .profiles import VelocityProfile
 from .pushes import PushMap, push_map
@@ -91,6 +92,7 @@ __all__ = [
     "PendulumWalk",
     "Plane",
     "Proposal",
+    "Push",
     "PushMap",
     "Recorder",
     "Robot",
@@ -99,6 +101,7 @@ __all__ = [
     "TaskAccelerations",
     "TaskSpace",
     "Trace",
+    "Uncertainty",
     "VelocityProfile",
     "VelocityTracker",
     "Verdict",

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "zmpwalk/robot/state.hpp"
 #include "zmpwalk/simulation/push.hpp"
 #include "zmpwalk/simulation/recorder.hpp"
+#include "zmpwalk/simulation/uncertainty.hpp"
 #include "zmpwalk/walk/walking_controller.hpp"
 
 namespace zmpwalk {
@@ -31,8 +33,13 @@ struct RunResult {
 class Simulation {
  public:
   /// Places the robot at its start pose on z = 0 in an mjData of its own. `controller` must outlive the simulation.
-  /// @throws ModelError  a foot that touches nothing there
-  explicit Simulation(WalkingController& controller);
+  ///
+  /// @param uncertainty  lies between robot and controller; without any, the controller reads MuJoCo's state as it is
+  /// @param simulated    the model that is simulated, where it is not the controller's; it must outlive the simulation
+  /// @throws ModelError  a foot that touches nothing there; a simulated model that lacks what the controller's description names, or
+  ///         whose joints are others, or stand in another order. InputError  as `Uncertainty::checked`
+  explicit Simulation(WalkingController& controller, const Uncertainty& uncertainty = Uncertainty(),
+                      const mjModel* simulated = nullptr);
   ~Simulation();
 
   /// Pushes the robot, from the next step on or later. @throws InputError  as `Pushes::add`
@@ -49,13 +56,22 @@ class Simulation {
                 double cycle_interval = 0.0, OnFall on_fall = OnFall::kStop);
 
   mjData* data() { return data_.get(); }
+  /// The robot that is simulated.
+  const Robot& robot() const { return apart_ ? *apart_ : controller_.robot(); }
 
  private:
-  Fall lies() const;  // kDown where the robot lies on the ground
+  const CycleOutput& control(Terms terms);  // the controller's, and its torque into the data
+  Fall lies() const;                        // kDown where the robot lies on the ground
 
   WalkingController& controller_;
+  std::unique_ptr<Robot> apart_;  // where it is not the controller's
   MjDataPtr data_;
   Pushes pushes_;
+  bool direct_;  // the controller reads the data themselves
+  Sensors sensors_;
+  Drives drives_;
+  State truth_;  // of the robot, before the step
+  State told_;   // to the controller
   bool started_ = false;
   double start_height_ = 0.0;  // of the COM over the lower sole [m]
   double airborne_ = 0.0;      // [s]

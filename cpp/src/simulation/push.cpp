@@ -29,9 +29,9 @@ void Pushes::add(const Push& push) {
   if (!std::isfinite(push.duration) || push.duration < m->opt.timestep)
     throw InputError("a push lasts " + number(push.duration) +
                      " s; it must last a finite time of at least a timestep, " + number(m->opt.timestep) + " s");
-  if (!push.force.allFinite())
-    throw InputError("the force of a push is (" + number(push.force.x()) + ", " + number(push.force.y()) + ", " +
-                     number(push.force.z()) + ") N; it must be finite");
+  for (const double value : push.wrench)
+    if (!std::isfinite(value))
+      throw InputError("a force or torque of a push is " + number(value) + "; it must be finite");
   int body = trunk_body(*robot_);
   if (!push.body.empty()) {
     body = mj_name2id(m, mjOBJ_BODY, push.body.c_str());
@@ -51,7 +51,7 @@ void Pushes::apply(double t, mjData* d) const {
   for (const Acting& each : pushes_) std::fill_n(d->xfrc_applied + 6 * each.body, 6, 0.0);
   for (const auto& [push, body] : pushes_)
     if (t >= push.t - half && t < push.t + push.duration - half)
-      for (int i = 0; i < 3; ++i) d->xfrc_applied[6 * body + i] += push.force[i];
+      for (int i = 0; i < 6; ++i) d->xfrc_applied[6 * body + i] += push.wrench[i];
 }
 
 }  // namespace zmpwalk
