@@ -8,8 +8,10 @@
 #include <string>
 
 #include "zmpwalk/math/error.hpp"
+#include "zmpwalk/robot/actuation.hpp"
 #include "zmpwalk/robot/contact_forces.hpp"
 #include "zmpwalk/robot/mujoco_compat.hpp"
+#include "zmpwalk/robot/words.hpp"
 
 namespace zmpwalk {
 namespace {
@@ -38,19 +40,22 @@ double com_height(const Robot& robot, const mjData* d) {
          std::min(robot.sole_centre(kLeft, d).z(), robot.sole_centre(kRight, d).z());
 }
 
-/// The robot in `simulated`, if there is one.
+/// The robot in `simulated`, if there is one: what the controller drives must be there, in the order in which it drives it.
 std::unique_ptr<Robot> another_robot(const Robot& known, const mjModel* simulated) {
   if (!simulated) return nullptr;
-  auto robot = std::make_unique<Robot>(simulated, known.description());
-  const std::vector<std::string>&want = known.joint_names(), &got = robot->joint_names();
-  if (want.size() != got.size())
-    throw ModelError("the simulated robot has " + std::to_string(got.size()) + " joints, the controller's has " +
-                     std::to_string(want.size()));
+  known.description().check(simulated);
+  const int root = simulated->jnt_bodyid[known.description().free_joint(simulated)];
+  std::vector<std::string> names;
+  for (const int joint : tree_joints(simulated, root)) names.push_back(object_name(simulated, mjOBJ_JOINT, joint));
+  const std::vector<std::string>& want = known.joint_names();
+  if (names.size() != want.size())
+    throw ModelError("the simulated robot has " + std::to_string(names.size()) + " joints, the controller's has " +
+                     std::to_string(want.size()) + ": they must have the same joints in the same order");
   for (std::size_t j = 0; j < want.size(); ++j)
-    if (want[j] != got[j])
-      throw ModelError("joint " + std::to_string(j) + " of the simulated robot is '" + got[j] +
+    if (names[j] != want[j])
+      throw ModelError("joint " + std::to_string(j) + " of the simulated robot is '" + names[j] +
                        "', of the controller's '" + want[j] + "': they must have the same joints in the same order");
-  return robot;
+  return std::make_unique<Robot>(simulated, known.description());
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ except VersionError as error:
         raise SystemExit(2) from None
     raise
 
-from . import analysis, errors, pushes, simulation, trace
+from . import analysis, errors, pushes, simulation, trace, troubles
 from ._build import VERSION as __version__
 from ._core import (
     Contact,
@@ -70,6 +70,7 @@ from .settings import load_settings, settings_toml
 from .simulation import Recorder, WalkingController, simulate, simulate_batch
 from .tasks import FrameTask, JointTask, MomentumTask
 from .trace import Trace
+from .troubles import Robustness, robustness
 from .verdict import Verdict, judge
 from .waypoints import Waypoints, walk_to
 
@@ -97,6 +98,7 @@ __all__ = [
     "Recorder",
     "Robot",
     "RobotDescription",
+    "Robustness",
     "State",
     "TaskAccelerations",
     "TaskSpace",
@@ -130,6 +132,7 @@ __all__ = [
     "push_map",
     "read_description",
     "render",
+    "robustness",
     "settings_toml",
     "simulate",
     "simulate_batch",
@@ -154,8 +157,16 @@ def _plot_pushes(push_map: PushMap) -> Any:
     return plot.pushes(push_map)
 
 
+def _plot_robustness(found: Robustness) -> Any:
+    """`Robustness.plot`."""
+    from . import plot
+
+    return plot.robustness(found)
+
+
 trace.ABOVE.update(plot=_plot, rerun=simulation.rerun)
 pushes.ABOVE.update(plot=_plot_pushes)
+troubles.ABOVE.update(plot=_plot_robustness)
 
 
 def __getattr__(name: str) -> ModuleType:

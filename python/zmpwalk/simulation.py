@@ -264,7 +264,8 @@ def simulate(
         tasks: what the robot does besides, from the start (`WalkingController.add`).
         push: forces from outside, each (t [s], duration [s], body, force [N]): a constant force (fx, fy, fz) in the
             world's axes, or with a torque (fx, fy, fz, tx, ty, tz) [N m], at the centre of mass of a body during
-            [t, t + duration). The body None is the trunk: the first body whose name holds "torso" or "trunk", else the root body. The controller is not told.
+            [t, t + duration). The body None is the trunk: the first body whose name holds "torso" or "trunk", else
+            the root body. The controller is not told.
         on_fall: "stop" ends the walk where the controller says that the robot has fallen. "go_on" takes this for an
             alarm, which `meta["alarm_time"]` keeps, and ends only where the robot lies on the ground (something beside
             its legs touches it, or the COM has come down to 30 % of its height) or is not finite: these alone are

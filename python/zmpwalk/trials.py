@@ -192,9 +192,8 @@ def _stands(walk: Walk, job: dict[str, Any], stance: str, angle: float, impulse:
     side = -1.0 if stance == "right" else 1.0
     towards = float(walk.columns["heading"][-1]) + side * angle
     force = impulse * job["mass"] / job["push_time"]
-    walk.simulation.push(
-        t, job["push_time"], job["body"], [force * math.cos(towards), force * math.sin(towards), 0.0, 0.0, 0.0, 0.0]
-    )
+    wrench = [force * math.cos(towards), force * math.sin(towards), 0.0, 0.0, 0.0, 0.0]
+    walk.simulation.push(t, job["push_time"], job["body"], wrench)
     walk.on(t + job["push_time"] + job["recovery"], on_fall="go_on")
     return not walk.fell and judge(SimpleNamespace(**walk.columns), t, walk.profile).survived
 

@@ -20,7 +20,7 @@ FLOORS = [
     ["simulation"],
     ["waypoints", "bench", "render", "capture", "trials"],
     ["view", "figures", "pushes"],
-    ["plot"],
+    ["plot", "troubles"],
     ["cli"],
     ["", "__main__"],  # the package's own __init__, which knows all rooms
 ]
