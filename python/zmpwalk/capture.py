@@ -215,10 +215,10 @@ def _recovers(walk: PendulumWalk, t: float, angle: float, impulse: float) -> boo
 
 
 def leg_length(model: mujoco.MjModel, description: Any) -> float:
-    """Sum of the distances between the joints of the left leg, hip to ankle [m]."""
+    """From the hip to the knee and on to the ankle of the left leg [m]."""
     data = mujoco.MjData(model)
     description.place(model, data)
-    anchors = [
+    *hip, knee, ankle, _ = (
         data.xanchor[mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_JOINT, name)] for name in description.left.leg_joints
-    ]
-    return float(np.linalg.norm(np.diff(anchors, axis=0), axis=1).sum())
+    )
+    return float(max(np.linalg.norm(knee - joint) for joint in hip) + np.linalg.norm(ankle - knee))

@@ -131,7 +131,7 @@ class Uncertainty:
 
         Usage: `Uncertainty(noise=2, torque_delay=0.008).scaled(0.5)`
         """
-        values = {}
+        values: dict[str, Any] = {}
         for field in dataclasses.fields(self):
             value, neutral = getattr(self, field.name), 1.0 if field.name in ("mass", "inertia") else 0.0
             if field.name == "ground_friction":

@@ -91,9 +91,17 @@ class PushMap:
         """ "single" or "double": what a push at this phase finds the robot in."""
         return "single" if phase < self.single_support - 1e-9 else "double"
 
-    def by_direction(self) -> np.ndarray:
-        """The worst of every direction (directions,) [N s/kg]; infinite where nothing fells."""
-        return np.where(np.isnan(self.felling), np.inf, self.felling).min(axis=(0, 1))
+    def by_direction(self, support: str | None = None) -> np.ndarray:
+        """The worst of every direction (directions,) [N s/kg]; infinite where nothing fells.
+
+        Args:
+            support: "single" or "double" takes only the phases in which a push begins there; None takes all.
+
+        Usage: `push_map().by_direction("single")`
+        """
+        taken = np.array([support in (None, self.support(phase)) for phase in self.phases])
+        felling = np.where(np.isnan(self.felling), np.inf, self.felling)[:, taken]
+        return felling.min(axis=(0, 1), initial=np.inf)
 
     def rows(self) -> list[dict[str, Any]]:
         """One row for each stance, phase and direction, as it stands in the CSV file."""
@@ -149,8 +157,12 @@ class PushMap:
             for i, phase in enumerate(self.phases):
                 label = f"{stance} {phase:.3f} {self.support(phase)}" if math.isfinite(self.period) else "standing"
                 lines.append(f"{label:>18s} " + "".join(f"{f:7.2f}" for f in self.felling[s, i]))
-        lines.append(f"{'pendulum, worst':>18s} " + "".join(f"{p:7.2f}" for p in self.pendulum.min(axis=0)))
+        for support in ("single", "double"):
+            if math.isfinite(self.period) and any(self.support(phase) == support for phase in self.phases):
+                label = f"worst, {support}"
+                lines.append(f"{label:>18s} " + "".join(f"{f:7.2f}" for f in self.by_direction(support)))
         lines.append(f"{'worst':>18s} " + "".join(f"{f:7.2f}" for f in self.by_direction()))
+        lines.append(f"{'pendulum, worst':>18s} " + "".join(f"{p:7.2f}" for p in self.pendulum.min(axis=0)))
         lines.append(f"worst {self.worst:.2f} N s/kg ({self.worst * self.mass:.1f} N s), mean {self.mean:.3f} N s/kg")
         return "\n".join(lines)
 
@@ -207,7 +219,7 @@ def push_map(
     v = three(velocity)
     walks = bool(np.any(v != 0.0))
     gain = max(float(np.abs(v).max()) / ACCELERATION, 1.0)
-    profile = VelocityProfile.ramp(0.0, v, gain) if walks else VelocityProfile.constant(0.0)
+    profile = VelocityProfile.ramp(0.0, v.tolist(), gain) if walks else VelocityProfile.constant(0.0)
     controller = WalkingController(model, description, settings, profile)  # says what is wrong before anything begins
     body = body or trunk_body(controller)
     angles = _evenly("directions", directions, 360.0)
@@ -258,7 +270,7 @@ def push_map(
     pendulum = PendulumWalk.of((model, description), float(v[0]), controller.settings)
     if math.isfinite(period):
         pendulum = replace(pendulum, period=period, double_support=(1.0 - single) * period)
-    bound = pendulum_limit(pendulum, angles, shares)
+    bound = pendulum_limit(pendulum, angles.tolist(), shares.tolist())
     return PushMap(
         robot=name_of(robot) or description.name, mass=float(controller.mass), velocity=tuple(v.tolist()), body=body,
         duration=PUSH_TIME, stances=stances, phases=shares, directions=angles, felling=felling, period=period,
@@ -284,7 +296,7 @@ def _serve(job: dict[str, Any]) -> Iterator[dict[str, Any]]:
     environment["PYTHONPATH"] = os.pathsep.join(
         [str(Path(__file__).parents[1]), *filter(None, [os.environ.get("PYTHONPATH")])]
     )
-    process = subprocess.Popen(
+    process: Any = subprocess.Popen(
         [sys.executable, "-W", "ignore", "-m", "zmpwalk.trials"],
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,

@@ -7,6 +7,7 @@ import io
 import math
 import os
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any, Callable, Iterator, Sequence
 
@@ -199,6 +200,9 @@ def robustness(
         if on_progress:
             on_progress(now, total)
 
+    def report_part(before: float, walks: int, t: float, all_of_it: float) -> None:
+        report(before + walks * t / all_of_it)
+
     count = threads or (len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1)
     stood: dict[tuple[str, float], list[bool]] = {}
     for some in _in_chunks(jobs, 2 * count):  # a trace is large: only some are kept at a time
@@ -213,10 +217,7 @@ def robustness(
                     "settings": settings_of(settings), "on_fall": "go_on", **own,
                 }
             )  # fmt: skip
-        before = done
-        traces = simulate_batch(
-            runs, threads, lambda t, all_, before=before, some=some: report(before + len(some) * t / all_)
-        )
+        traces = simulate_batch(runs, threads, partial(report_part, done, len(some)))
         for (kind, level, _), given, trace in zip(some, runs, traces):
             forced = given.get("push")
             after = forced[0][0] if forced else None
