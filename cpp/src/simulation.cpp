@@ -158,10 +158,7 @@ RunResult Simulation::run(double duration, Recorder& recorder, const std::functi
     else
       recorder.add(out, d, robot(), truth_);
     if (out.fresh) {
-      for (const Side side : kSides) {
-        felt_.wrench[side] = recorder.contact().wrench.segment<6>(6 * side);
-        felt_.contact[side] = std::isnan(felt_.wrench[side].z()) ? 0.0 : 1.0;
-      }
+      felt_ = felt_by(recorder.contact());
       const bool touches = felt_.contact[kLeft] + felt_.contact[kRight] > 0.0;
       airborne_ = touches ? 0.0 : airborne_ + controller_.settings().control.dt;
     }

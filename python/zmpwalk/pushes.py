@@ -24,7 +24,7 @@ from .files import as_input_error, whole
 from .given import Settings
 from .profiles import VelocityProfile, three
 from .robots import Robot, description_to_dict, load_robot
-from .simulation import WalkingController, name_of
+from .simulation import WalkingController, name_of, processors
 from .trace import model_bytes, plain
 from .verdict import RECOVERY
 
@@ -234,7 +234,7 @@ def push_map(
         if not (math.isfinite(value) and value > 0.0):
             raise InputError(f"{name} is {value:g} N s/kg; it must be positive and finite")
     if processes is None:
-        processes = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+        processes = processors()
     if processes < 1:
         raise InputError(f"processes is {processes}; it must be at least 1")
     job = {

@@ -9,7 +9,7 @@ import os
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Any, Callable, Iterator, Sequence
+from typing import Any, Callable, Sequence
 
 import numpy as np
 
@@ -20,9 +20,9 @@ from .given import Settings, settings_of
 from .profiles import VelocityProfile
 from .pushes import push_map
 from .robots import Robot, load_robot
-from .simulation import WalkingController, name_of, simulate_batch
+from .simulation import WalkingController, name_of, processors, simulate_batch
 from .trace import Trace
-from .verdict import TILT, judge
+from .verdict import RECOVERY, TILT, judge
 
 __all__ = ["Robustness", "Trouble", "robustness"]
 
@@ -32,7 +32,9 @@ SETTLE = 4.0  # of walking at full speed before a force [s]
 FORCE_TIME = 3.0  # how long a steady force acts [s]
 SPEED = 0.02  # of the commanded speed, by which a walk may miss it on the way
 SEEDS = 4  # of whatever is random, for each level
-DIRECTIONS = {0.0: "forward", 90.0: "outwards", 180.0: "backward", 270.0: "inwards"}
+DIRECTIONS = {0.0: ("forward", 0.45), 90.0: ("outwards", 0.25), 180.0: ("backward", 0.45), 270.0: ("inwards", 0.35)}
+"""of pushes [degrees], with the impulse that should be borne [N s/kg]"""
+PHASES = (0.0, 0.25, 0.5, 0.75)
 
 
 @dataclass(frozen=True)
@@ -181,68 +183,66 @@ def robustness(
     gain = max(velocity / ACCELERATION, 1.0)
     profile = VelocityProfile.ramp(0.0, velocity, gain)
     controller = WalkingController(model, description, settings, profile)
-    kinds = [
-        kind
-        for kind in _kinds(controller.mass * GRAVITY, gain + SETTLE, settings_of(settings))
-        if not only or any(kind.name.startswith(name) for name in only)
-    ]
+    chosen = settings_of(settings)
+    every = _kinds(controller.mass * GRAVITY, gain + SETTLE, chosen)
+    kinds = [kind for kind in every if not only or any(kind.name.startswith(name) for name in only)]
     pushed = not only or any("push".startswith(name) or name.startswith("push") for name in only)
     if not kinds and not pushed:
-        names = [kind.name for kind in _kinds(1.0, 1.0, settings_of(settings))]
-        raise InputError(f"only is {list(only)}; there are push, {', '.join(names)}")
-    jobs = [
-        (kind, level, seed) for kind in kinds for level in kind.levels for seed in range(kind.seeds)
-    ]  # hard ones fall soon
-    cells = 4 * len(DIRECTIONS) if pushed else 0
-    total, done = len(jobs) + cells, 0
+        raise InputError(f"only is {list(only)}; there are push, {', '.join(kind.name for kind in every)}")
+    walks = sum(len(kind.levels) * kind.seeds for kind in kinds)
+    total = walks + (len(PHASES) * len(DIRECTIONS) if pushed else 0)
 
-    def report(now: float) -> None:
+    def report(done: float) -> None:
         if on_progress:
-            on_progress(now, total)
+            on_progress(done, total)
 
-    def report_part(before: float, walks: int, t: float, all_of_it: float) -> None:
-        report(before + walks * t / all_of_it)
+    base = {"robot": (model, description), "profile": profile, "settings": chosen, "on_fall": "go_on"}
+    troubles = _tried(kinds, base, duration, velocity, threads, report)
+    if pushed:
+        found = push_map(
+            (model, description), velocity, list(DIRECTIONS), PHASES, ["left"], chosen, processes=threads,
+            on_progress=lambda cells, _: report(walks + cells),
+        )  # fmt: skip
+        pushes = zip(DIRECTIONS.values(), found.by_direction())
+        troubles = [_push_trouble(f"push {name}", felling, bar) for (name, bar), felling in pushes] + troubles
+    return Robustness(name_of(robot) or description.name, velocity, duration, tuple(troubles))
 
-    count = threads or (len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1)
+
+def _tried(
+    kinds: Sequence[_Kind],
+    base: dict[str, Any],
+    duration: float,
+    velocity: float,
+    threads: int | None,
+    report: Callable[[float], None],
+) -> list[Trouble]:
+    """Walks at every level of every kind, some at a time, since each leaves a large trace."""
+    jobs = [(kind, level, seed) for kind in kinds for level in kind.levels for seed in range(kind.seeds)]
+    at_once = 2 * (threads or processors())
     stood: dict[tuple[str, float], list[bool]] = {}
-    for some in _in_chunks(jobs, 2 * count):  # a trace is large: only some are kept at a time
-        runs = []
-        for kind, level, seed in some:
-            own = kind.given(level)
-            forced = own.get("push")
-            lasts = duration if not forced else forced[0][0] + forced[0][1] + 8.0
-            runs.append(
-                {
-                    "robot": (model, description), "profile": profile, "duration": lasts, "seed": seed,
-                    "settings": settings_of(settings), "on_fall": "go_on", **own,
-                }
-            )  # fmt: skip
-        traces = simulate_batch(runs, threads, partial(report_part, done, len(some)))
-        for (kind, level, _), given, trace in zip(some, runs, traces):
-            forced = given.get("push")
-            after = forced[0][0] if forced else None
-            stood.setdefault((kind.name, level), []).append(_stands(trace, velocity, after))
-        done += len(some)
-    troubles = [
+    for start in range(0, len(jobs), at_once):
+        some = jobs[start : start + at_once]
+        given = [kind.given(level) for kind, level, _ in some]
+        after = [one["push"][0].t if "push" in one else None for one in given]  # when a force begins
+        runs = [
+            {**base, "duration": duration if t is None else t + one["push"][0].duration + RECOVERY, "seed": seed, **one}
+            for one, t, (_, _, seed) in zip(given, after, some)
+        ]
+        traces = simulate_batch(runs, threads, partial(_report_share, report, start, len(some)))
+        for (kind, level, _), trace, t in zip(some, traces, after):
+            stood.setdefault((kind.name, level), []).append(_stands(trace, velocity, t))
+        report(start + len(some))
+    return [
         Trouble(
             kind.name, kind.unit, tuple(kind.levels),
             tuple(float(np.mean(stood[kind.name, level])) for level in kind.levels), kind.bar,
         )
         for kind in kinds
     ]  # fmt: skip
-    if pushed:
-        found = push_map(
-            (model, description), velocity, list(DIRECTIONS), [0.0, 0.25, 0.5, 0.75], ["left"], settings,
-            processes=threads, on_progress=lambda now, _: report(done + now),
-        )  # fmt: skip
-        bars = {"forward": 0.45, "outwards": 0.25, "backward": 0.45, "inwards": 0.35}
-        pushes = [
-            _push_trouble(f"push {name}", felling, bars[name])
-            for name, felling in zip(DIRECTIONS.values(), found.by_direction())
-        ]
-        troubles = pushes + troubles
-    report(total)
-    return Robustness(name_of(robot) or description.name, velocity, duration, tuple(troubles))
+
+
+def _report_share(report: Callable[[float], None], start: int, walks: int, t: float, all_of_it: float) -> None:
+    report(start + walks * t / all_of_it)
 
 
 def _push_trouble(name: str, felling: float, bar: float) -> Trouble:
@@ -250,11 +250,6 @@ def _push_trouble(name: str, felling: float, bar: float) -> Trouble:
     top = 0.05 * math.ceil(min(max(felling, bar), 2.0) / 0.05 - 1e-9) + 0.05
     levels = tuple(round(level, 2) for level in np.arange(0.05, top + 1e-9, 0.05).tolist())
     return Trouble(name, "N s/kg", levels, tuple(float(level < felling - 1e-9) for level in levels), bar)
-
-
-def _in_chunks(jobs: Sequence[Any], size: int) -> Iterator[Sequence[Any]]:
-    for start in range(0, len(jobs), size):
-        yield jobs[start : start + size]
 
 
 def _stands(trace: Trace, velocity: float, forced: float | None) -> bool:

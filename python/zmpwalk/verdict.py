@@ -57,14 +57,14 @@ def judge(trace: Any, t: float, profile: Any = None) -> Verdict:
     if not (len(times) > 2 and times[0] < t < times[-1]):
         raise InputError(f"the walk is judged by a record from before {t:g} s to after it")
     tilt = _tilt(trace.qpos[0, 3:7], trace.qpos[-1, 3:7])
-    v = profile.velocity(float(times[-1]))
-    walks = bool(np.any(v != 0.0))
+    v = _velocities(trace, profile)
+    walks = bool(np.any(v[-1] != 0.0))
     before = _two_steps(trace, times < t, walks)
     after = _two_steps(trace, times >= t, walks)
     nan = float("nan")
     if before is None or after is None:
         return Verdict(False, "it does not step any more", tilt, nan, (nan, nan))
-    path = _commanded(trace, profile, before)
+    path = _commanded(trace, v, before)
     miss = np.asarray(trace.com)[:, :2] - path[:, :2]
     heading = path[after, 2].mean()
     axes = np.array([[np.cos(heading), np.sin(heading)], [-np.sin(heading), np.cos(heading)]])
@@ -110,14 +110,10 @@ def _two_steps(trace: Any, rows: np.ndarray, walks: bool) -> slice | None:
     return slice(inside[touch_downs[-3]], inside[touch_downs[-1]])
 
 
-def _commanded(trace: Any, profile: VelocityProfile, start: slice) -> np.ndarray:
+def _commanded(trace: Any, v: np.ndarray, start: slice) -> np.ndarray:
     """The integrated commands (T, 3): x, y [m] and heading [rad], from the COM and the heading at `start` on."""
     times = np.asarray(trace.t)
     dt = np.diff(times, append=2 * times[-1] - times[-2])
-    v = _velocities(profile, times)
-    command = getattr(trace, "command", None)
-    if command is not None:
-        v = np.where(np.isnan(command), v, command)
     turned = np.concatenate([[0.0], np.cumsum(v[:-1, 2] * dt[:-1])])
     heading = trace.heading[start.start] + turned - turned[start.start]
     steps = np.column_stack(
@@ -131,9 +127,12 @@ def _commanded(trace: Any, profile: VelocityProfile, start: slice) -> np.ndarray
     return np.column_stack([path, heading])
 
 
-def _velocities(profile: VelocityProfile, times: np.ndarray) -> np.ndarray:
-    """Of the profile at each of the times (T, 3)."""
-    t, v = np.asarray(profile.t), np.asarray(profile.v)
+def _velocities(trace: Any, profile: VelocityProfile) -> np.ndarray:
+    """What was commanded in each row (T, 3): the live command, and the profile before the first."""
+    t, v, times = np.asarray(profile.t), np.asarray(profile.v), np.asarray(trace.t)
     if profile.interpolation == "linear":
-        return np.column_stack([np.interp(times, t, column) for column in v.T])
-    return v[np.clip(np.searchsorted(t, times + 1e-9, side="right") - 1, 0, None)]
+        planned = np.column_stack([np.interp(times, t, column) for column in v.T])
+    else:
+        planned = v[np.clip(np.searchsorted(t, times + 1e-9, side="right") - 1, 0, None)]
+    command = getattr(trace, "command", None)
+    return planned if command is None else np.where(np.isnan(command), planned, command)

@@ -29,7 +29,7 @@ struct RunResult {
   std::vector<double> cycle_us;  ///< time of each control cycle [us]
 };
 
-/// The closed loop in C++: controller, physics, recording. Knows nothing of Python.
+/// The closed loop in C++: in each time step the controller gives torques, MuJoCo moves the robot, and the recorder takes a row.
 class Simulation {
  public:
   /// Places the robot at its start pose on z = 0 in an mjData of its own. `controller` must outlive the simulation.

@@ -19,10 +19,10 @@ struct Column {
 /// How many rows to set memory aside for: those of `duration`, of a long one only the first. @param dt of a row [s]
 std::size_t rows_within(double duration, double dt);
 
-/// Cycle records as columns: those of `visit_columns`, in its order. Row k is the state before step k and what was decided there.
+/// Keeps what cycles record as columns: those of `visit_columns`, in its order. Row k holds the state before step k and what was decided for it.
 class Recorder {
  public:
-  /// @param controller must outlive the recorder   @param duration to set memory aside for, so that `add` does not allocate [s]
+  /// @param controller must outlive the recorder   @param duration length of the walk for which memory is set aside, so that `add` does not allocate [s]
   explicit Recorder(const WalkingController& controller, double duration = 0.0);
 
   /// Adds one row, if `out` is a new cycle. Call right after mj_step: `data` then holds the contact forces of this cycle.
@@ -30,14 +30,14 @@ class Recorder {
   /// The same where what walks is not what the controller believes in, or is told of: `robot` walks, and `state` is its own before the step.
   void add(const CycleOutput& out, const mjData* data, const Robot& robot, const State& state);
 
-  /// Marks the last row as a fall that shows only after the step: a state that is not finite, a foot that is lost.
+  /// Marks the last row as a fall that shows only after the step: the state is not finite, or no foot touches the ground.
   void mark_fall();
 
   const std::vector<Column>& columns() const { return columns_; }
   /// The columns themselves; the recorder is of no more use.
   std::vector<Column> take_columns() { return std::move(columns_); }
   std::size_t rows() const { return rows_; }
-  /// Contact of the last row.
+  /// Contact forces of the last row.
   const MeasuredContact& contact() const { return contact_; }
 
  private:
