@@ -11,6 +11,7 @@ import pickle
 import signal
 import subprocess
 import sys
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Callable, Iterator, Sequence
@@ -320,5 +321,7 @@ def _serve(job: dict[str, Any]) -> Iterator[dict[str, Any]]:
     finally:
         if process.poll() is None and not finished:
             os.killpg(process.pid, signal.SIGKILL)
+        with suppress(BrokenPipeError):
+            process.stdin.close()
         process.stdout.close()
         process.wait()
