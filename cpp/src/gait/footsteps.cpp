@@ -107,16 +107,18 @@ const Foothold& FootstepPlanner::follow(double ahead_of_plan, double aside, cons
   Foothold wanted = planned;
   wanted.p = nominal_.p + std::clamp(off.dot(planned.ahead), -most, most) * planned.ahead +
              (off.dot(left) + std::clamp(aside, -most, most)) * left;
-  // Within reach of the leg, and of the time that is left.
-  const StepsSettings& steps = settings_.steps;
-  const Vec2 from = wanted.p - stance_.p;
-  wanted.p += (std::clamp(from.dot(planned.ahead), -steps.ahead_most, steps.ahead_most) - from.dot(planned.ahead)) *
-                  planned.ahead +
-              (std::clamp(from.dot(left), -steps.aside_most, steps.aside_most) - from.dot(left)) * left;
-  const Vec2 go = wanted.p - foot;
-  const double go_ahead = go.dot(planned.ahead), go_aside = go.dot(left);
-  wanted.p += (std::clamp(go_ahead, -way.x(), way.x()) - go_ahead) * planned.ahead +
-              (std::clamp(go_aside, -way.y(), way.y()) - go_aside) * left;
+  // Within reach of the leg, and of the time that is left; where the plan goes, and where the foot goes already, it may go on.
+  const auto within = [&](const Vec2& axis, double most, double far) {
+    const double planned_there = (nominal_.p - stance_.p).dot(axis), now = (target_.p - stance_.p).dot(axis);
+    const double by_itself = (foot - stance_.p).dot(axis), there = (wanted.p - stance_.p).dot(axis);
+    const double lower = std::max(std::min(-most, planned_there), std::min(by_itself - far, now));
+    const double upper = std::min(std::max(most, planned_there), std::max(by_itself + far, now));
+    wanted.p += (std::max(std::min(there, upper), lower) - there) * axis;
+  };
+  if (settings_.steps.timing) {
+    within(planned.ahead, settings_.steps.ahead_most, way.x());
+    within(left, settings_.steps.aside_most, way.y());
+  }
   target_.p += blend_ * (clear(wanted) - target_.p);
   target_.yaw += blend_ * wrap_angle(wanted.yaw - target_.yaw);
   return target_;

@@ -92,7 +92,9 @@ void GaitGenerator::command(const Vec3& velocity) {
 
 void GaitGenerator::retime(double remaining) {
   require_positive("remaining", remaining);
-  if (!out_.at_rest) schedule_.retime(footsteps_.now().t, remaining);
+  if (out_.at_rest) return;
+  schedule_.retime(footsteps_.now().t, remaining);
+  planned_landing_ = schedule_.touch_down();
 }
 
 void GaitGenerator::take_command(double t) {

@@ -102,7 +102,8 @@ void GaitGenerator::adjust_time(const GaitInput& in) {
   const Vec2 place(footsteps_.lead(out_.phase.step, next_) + out_.v_plan.x() * (limits.planned - left),
                    (to_H * (footsteps_.planned(out_.swing, next_).p - out_.origin)).y());
   const double near = side_sign(out_.swing) * least_apart_, far = side_sign(out_.swing) * steps.aside_most;
-  const Vec2 lower(-steps.ahead_most, std::min(near, far)), upper(steps.ahead_most, std::max(near, far));
+  const double ahead_most = std::max(steps.ahead_most, std::abs(place.x()));
+  const Vec2 lower(-ahead_most, std::min(near, far)), upper(ahead_most, std::max(near, far));
   const Vec2 drift(out_.v_plan.x(), 0.0), offset(xi_start_, xi_offset_);
   const Vec2 acceleration(settings_.swing.ahead_acceleration, settings_.swing.aside_acceleration);
   std::array<StepAxis, 2> axes;
