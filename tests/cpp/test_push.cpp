@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(an_alarm_is_not_the_end_where_the_walk_goes_on) {
     WalkingController controller(mahru(), describe(mahru()));
     Simulation simulation(controller);
     Recorder recorder(controller);
-    simulation.push(push(1.0, 0.08, "", {0, 500, 0}));
+    simulation.push(push(1.0, 0.08, "", {0, 1500, 0}));
     return simulation.run(5.0, recorder, {}, 0.1, {}, 0.0, on_fall);
   };
   const RunResult stops = ends(OnFall::kStop), goes_on = ends(OnFall::kGoOn);

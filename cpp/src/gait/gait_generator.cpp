@@ -378,7 +378,7 @@ void GaitGenerator::move_sideways(const GaitInput& in) {
       if (settings_.gait.stand && plan_.at_rest(in.t, schedule_.touch_down() + schedule_.times().T_ds))
         footsteps_.close(out_.swing, foot, xi_next_);
     }
-    if (footsteps_.follows(out_.phase.time / out_.phase.duration)) {
+    if (footsteps_.follows(decided_share(in))) {
       const PathPoint planned = footsteps_.planned(out_.swing, next_);
       const double aside = lateral_.miss(sway(planned.p));
       const double time = schedule_.touch_down() - in.t;

@@ -12,6 +12,10 @@ namespace {
 constexpr double kCalm = 0.3;   // up to here the ZMP keeps to its usual bounds: changes of speed make as much
 constexpr double kAlarm = 0.7;  // from here on it may use the whole sole
 
+constexpr double kSide = 0.4;  // the ZMP at this share of the half width, or less, is nowhere near a corner
+
+constexpr double kFreezeLate = 0.9;  // share of the single support until which a pushed robot moves its foothold
+
 // Times in T_c.
 constexpr double kDecided = 0.36;  // a foot that is to land this soon keeps its time, so that it lands calmly
 constexpr double kTakenUp = 0.07;  // within this a new landing time is taken up; noise would shake the foot otherwise
@@ -67,6 +71,12 @@ double GaitGenerator::urgency(const GaitInput& in) const {
   return smooth_step((std::max(std::abs(ahead), std::abs(aside)) - kCalm) / (kAlarm - kCalm));
 }
 
+double GaitGenerator::decided_share(const GaitInput& in) const {
+  const double share = out_.phase.time / out_.phase.duration;
+  if (!recovers_ || began_ == Began::kSingleSupport || !(urgency(in) > 0.0)) return share;
+  return share * std::min(settings_.steps.freeze / kFreezeLate, 1.0);
+}
+
 void GaitGenerator::recover(const GaitInput& in) {
   adjust_time(in);
   // Sideways the whole sole serves at once: as long as nothing disturbs it, the ZMP stays near the middle there.
@@ -77,8 +87,8 @@ void GaitGenerator::recover(const GaitInput& in) {
   out_.room.lower.x() += share * (whole.lower.x() - out_.room.lower.x());
   out_.room.upper.x() += share * (whole.upper.x() - out_.room.upper.x());
   // In a corner of the sole the ZMP would tip the foot.
-  const double beside = std::min(std::abs(out_.zmp_lateral) / whole_[out_.support].upper.y(), 1.0);
-  const double keep = 1.0 - settings_.zmp.corner_cut * beside * beside;
+  const double beside = std::abs(out_.zmp_lateral) / whole_[out_.support].upper.y();
+  const double keep = 1.0 - settings_.zmp.corner_cut * smooth_step((beside - kSide) / (1.0 - kSide));
   out_.room.lower.x() *= keep;
   out_.room.upper.x() *= keep;
 }

@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kLevel =
     1e-3;  // lift-off and landing that differ by less in height are level: a sole sinks into the ground under load [m]
-constexpr double kBlend = 0.1;  // own time takes up its new rate within this [s], or sooner
+constexpr double kLeastShare =
+    0.2;                        // least rate of an own time that is held back, as a share of the mean rate to its end
 constexpr double kStop = 1e-3;  // slowest rate of the own time
 
 Motion1 sum(const Motion1& a, const Motion1& b) { return {a.p + b.p, a.v + b.v, a.a + b.a}; }
@@ -41,8 +42,10 @@ void OwnTime::retime(double t, double left) {
   const double way = end_ - from_.p;
   start_ = t;
   landing_ = t + left;
-  // In the blend the own time goes on by blend (0.4 from_.v + 0.6 rate + 0.05 blend from_.a).
-  blend_ = std::min({kBlend, 0.5 * left, from_.v > 0.0 ? way / from_.v : kBlend});
+  // In the blend the own time goes on by blend (0.4 from_.v + 0.6 rate + 0.05 blend from_.a). It takes all the time that is left, unless the rate
+  // after it were to fall below a share of the mean rate.
+  const double least = kLeastShare * way / left;
+  blend_ = from_.v > least ? std::min(left, (way - least * left) / (0.4 * (from_.v - least))) : left;
   rate_ = std::max((way - blend_ * (0.4 * from_.v + 0.05 * blend_ * from_.a)) / (left - 0.4 * blend_), kStop);
 }
 

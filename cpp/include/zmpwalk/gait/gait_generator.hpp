@@ -123,6 +123,8 @@ class GaitGenerator {
   // What follows is for a robot that has been pushed (recovery.cpp); a quiet walk keeps its times and bounds.
   void recover(const GaitInput& in);
   void adjust_time(const GaitInput& in);  // of the landing
+  /// Share of the single support that counts against `steps.freeze`: a pushed robot decides on its foothold later.
+  double decided_share(const GaitInput& in) const;
   /// How far the DCM has left its plan: 0 as planned, 1 where the ZMP is to use the whole sole.
   double urgency(const GaitInput& in) const;
   /// Speed that steps add to the planned one, to make up way that a push has cost or given [m/s].

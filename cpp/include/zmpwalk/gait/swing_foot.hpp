@@ -61,7 +61,7 @@ class SwingFoot {
 
   OwnTime time_;
   double duration_ = 0.0, z_land_ = 0.0;  // in own time
-  double rise_ = 0.0;                                   // up for so long, then down
+  double rise_ = 0.0;                     // up for so long, then down
   Cubic up_, down_;
   std::array<double, 3> to_{};   // where the splines in x, y, yaw lead
   std::array<Motion1, 3> next_;  // of the splines in x, y, yaw, in the cycle to come, by own time

@@ -97,7 +97,7 @@ struct StepsSettings {
 
   Footsteps mode = Footsteps::kTied;
   std::vector<double> lengths;
-  double width = kNaN, clearance = kNaN, shift = kNaN, filter_time = kNaN, give = 0.3, freeze = 0.9;
+  double width = kNaN, clearance = kNaN, shift = kNaN, filter_time = kNaN, give = 0.3, freeze = 0.7;
   double capture_distance = kNaN, capture_speed = kNaN;
   bool timing = true;
   double ahead_most = kNaN, aside_most = kNaN, least_time = kNaN, wait_time = kNaN;
@@ -117,7 +117,7 @@ struct StepsSettings {
       "Least gap that a step leaves between the edges of the two soles, sideways.");
     v(g.shift, "shift", "foothold_reach", "m", must_be::kNotNegative, {0.47, of::kComHeight},
       "How far a tied foothold may be moved from its nominal place to keep the robot balanced.");
-    v(g.filter_time, "filter_time", "foothold_time", "s", must_be::kPositive, {0.07, of::kTimeConstant},
+    v(g.filter_time, "filter_time", "foothold_time", "s", must_be::kPositive, {0.18, of::kTimeConstant},
       "Time constant of the low-pass through which a tied foothold moves while the foot is in the air.");
     v(g.give, "give", "foothold_give", "", must_be::kNotNegative, {},
       "A COM that is faster or slower than planned needs another foothold or another ZMP. Up to this share of its "
