@@ -107,16 +107,15 @@ const Foothold& FootstepPlanner::follow(double ahead_of_plan, double aside, cons
   Foothold wanted = planned;
   wanted.p = nominal_.p + std::clamp(off.dot(planned.ahead), -most, most) * planned.ahead +
              (off.dot(left) + std::clamp(aside, -most, most)) * left;
-  // Within reach of the leg, and of the time that is left.
-  const StepsSettings& steps = settings_.steps;
-  const Vec2 from = wanted.p - stance_.p;
-  wanted.p += (std::clamp(from.dot(planned.ahead), -steps.ahead_most, steps.ahead_most) - from.dot(planned.ahead)) *
-                  planned.ahead +
-              (std::clamp(from.dot(left), -steps.aside_most, steps.aside_most) - from.dot(left)) * left;
-  const Vec2 go = wanted.p - foot;
-  const double go_ahead = go.dot(planned.ahead), go_aside = go.dot(left);
-  wanted.p += (std::clamp(go_ahead, -way.x(), way.x()) - go_ahead) * planned.ahead +
-              (std::clamp(go_aside, -way.y(), way.y()) - go_aside) * left;
+  // Within reach of the leg, and of the time that is left; the nominal place always is.
+  const auto keep = [&](const Vec2& axis, const Vec2& from, double most) {
+    const double at = axis.dot(wanted.p - from), nominal = axis.dot(nominal_.p - from);
+    wanted.p += (std::clamp(at, std::min(-most, nominal), std::max(most, nominal)) - at) * axis;
+  };
+  keep(planned.ahead, stance_.p, settings_.steps.ahead_most);
+  keep(left, stance_.p, settings_.steps.aside_most);
+  keep(planned.ahead, foot, way.x());
+  keep(left, foot, way.y());
   target_.p += blend_ * (clear(wanted) - target_.p);
   target_.yaw += blend_ * wrap_angle(wanted.yaw - target_.yaw);
   return target_;

@@ -65,8 +65,7 @@ void SwingFoot::begin(const Vec3& p, const Mat3& R, double duration, double z_la
   target_.R = rotation_z(yaw_ = next_[2].p);
 }
 
-Motion1 SwingFoot::height(double t, const Motion1& own) const {
-  if (sinks_) return sum(sinking_.at(t - since_), fade_out({0.0, 0.0, beside_}, sunk_ - since_, t - since_));
+Motion1 SwingFoot::height(const Motion1& own) const {
   const double since = std::clamp(own.p, 0.0, duration_);  // a phase begins up to a nanosecond before its time
   return in_time(since < rise_ ? up_.at(since) : down_.at(since - rise_), own);
 }
@@ -74,29 +73,39 @@ Motion1 SwingFoot::height(double t, const Motion1& own) const {
 void SwingFoot::sink(double t, double time) {
   // A foot that is late goes on from the end of its splines as it ended.
   const double late = std::max(t - time_.landing(), 0.0);
-  const Motion1 end = height(t - late, time_.at(t - late));
-  const double v = end.v + late * end.a, p = end.p + late * (end.v + 0.5 * late * end.a);
-  sinking_ = Cubic(p, v, z_land_ + 2.0 / 3.0 * v * time, 0.0, time);
-  beside_ = end.a - sinking_.at(0.0).a;
-  for (Motion1& m : next_) m.v = 0.0;
+  const Motion1 own = time_.at(t - late);
+  std::array<Motion1, 4> from;
+  for (int i = 0; i < 3; ++i) from[i] = in_time(next_[i], own);
+  from[3] = height(own);
+  for (int i = 0; i < 4; ++i) {
+    const auto [p, v, a] = from[i];
+    const Motion1 now{p + late * (v + 0.5 * late * a), v + late * a, a};
+    sinking_[i] = Cubic(now.p, now.v, i < 3 ? p : z_land_ + 2.0 / 3.0 * now.v * time, 0.0, time);
+    beside_[i] = a - sinking_[i].at(0.0).a;
+  }
   since_ = t;
   sunk_ = t + time;
   sinks_ = true;
 }
 
 const SwingTarget& SwingFoot::update(double t, double dt, const Foothold& foothold) {
-  const Motion1 own = time_.at(t);
-  const double left = duration_ - own.p, step = time_.at(t + dt).p - own.p;
-  const double yaw_there = next_[2].p + wrap_angle(foothold.yaw - next_[2].p);
-  const std::array<double, 3> to{foothold.p.x(), foothold.p.y(), yaw_there};
-  std::array<Motion1, 3> now;
-  for (int i = 0; i < 3; ++i) {
-    const Cubic spline(next_[i].p, next_[i].v, to[i], 0.0, left);
-    now[i] = in_time({next_[i].p, next_[i].v, spline.at(0.0).a}, own);
-    next_[i] = spline.at(std::min(step, left));
+  std::array<Motion1, 4> now;  // x, y, yaw, z
+  if (sinks_) {
+    for (int i = 0; i < 4; ++i)
+      now[i] = sum(sinking_[i].at(t - since_), fade_out({0.0, 0.0, beside_[i]}, sunk_ - since_, t - since_));
+  } else {
+    const Motion1 own = time_.at(t);
+    const double left = duration_ - own.p, step = time_.at(t + dt).p - own.p;
+    const double yaw_there = next_[2].p + wrap_angle(foothold.yaw - next_[2].p);
+    const std::array<double, 3> to{foothold.p.x(), foothold.p.y(), yaw_there};
+    for (int i = 0; i < 3; ++i) {
+      const Cubic spline(next_[i].p, next_[i].v, to[i], 0.0, left);
+      now[i] = in_time({next_[i].p, next_[i].v, spline.at(0.0).a}, own);
+      next_[i] = spline.at(std::min(step, left));
+    }
+    now[3] = height(own);
   }
-  const auto& [x, y, yaw] = now;
-  const Motion1 z = height(t, own);
+  const auto& [x, y, yaw, z] = now;
   target_.p << x.p, y.p, z.p;
   target_.v << x.v, y.v, z.v;
   target_.a << x.a, y.a, z.a;

@@ -57,17 +57,18 @@ class SwingFoot {
   double duration() const { return sinks_ ? sunk_ : time_.landing(); }  ///< from lift-off to landing [s]
 
  private:
-  Motion1 height(double t, const Motion1& own) const;
+  Motion1 height(const Motion1& own) const;
 
   OwnTime time_;
   double duration_ = 0.0, z_land_ = 0.0, speed_ = 0.0;  // in own time
   double rise_ = 0.0;                                   // up for so long, then down
   Cubic up_, down_;
   std::array<Motion1, 3> next_;  // of the splines in x, y, yaw, in the cycle to come, by own time
-  // A foot that met no ground: from `since_` on down, with the acceleration `beside_` that fades out until `sunk_`.
+  // A foot that met no ground: from `since_` on down to rest, with the accelerations `beside_` that fade out until `sunk_`.
   bool sinks_ = false;
-  double since_ = 0.0, sunk_ = 0.0, beside_ = 0.0;
-  Cubic sinking_;
+  double since_ = 0.0, sunk_ = 0.0;
+  std::array<Cubic, 4> sinking_;  // x, y, yaw, z
+  std::array<double, 4> beside_{};
   double yaw_ = 0.0;  // of the target
   SwingTarget target_;
 };
