@@ -77,7 +77,8 @@ void GaitGenerator::recover(const GaitInput& in) {
   out_.room.lower.x() += share * (whole.lower.x() - out_.room.lower.x());
   out_.room.upper.x() += share * (whole.upper.x() - out_.room.upper.x());
   // In a corner of the sole the ZMP would tip the foot.
-  const double beside = std::min(std::abs(out_.zmp_lateral) / whole_[out_.support].upper.y(), 1.0);
+  const double aside = std::abs(out_.zmp_lateral) / whole_[out_.support].upper.y();
+  const double beside = std::clamp((aside - kCalm) / (1.0 - kCalm), 0.0, 1.0);
   const double keep = 1.0 - settings_.zmp.corner_cut * beside * beside;
   out_.room.lower.x() *= keep;
   out_.room.upper.x() *= keep;
