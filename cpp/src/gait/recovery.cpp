@@ -8,8 +8,8 @@
 namespace zmpwalk {
 namespace {
 
-// Distances of the DCM from its plan, as shares of the sole's half length or half width.
-constexpr double kCalm = 0.3;   // up to here the ZMP keeps to its usual bounds: changes of speed make as much
+// Distances of the DCM from its plan, and of the ZMP from the middle, as shares of the sole's half length or half width.
+constexpr double kCalm = 0.3;   // up to here the ZMP keeps to its usual bounds: changes of speed and turns make as much
 constexpr double kAlarm = 0.7;  // from here on it may use the whole sole
 
 // Times in T_c.
