@@ -108,9 +108,9 @@ const Foothold& FootstepPlanner::follow(double ahead_of_plan, double aside, cons
   wanted.p = nominal_.p + std::clamp(off.dot(planned.ahead), -most, most) * planned.ahead +
              (off.dot(left) + std::clamp(aside, -most, most)) * left;
   // Within reach of the leg, and of the time that is left; the nominal place always is.
-  const auto keep = [&](const Vec2& axis, const Vec2& from, double most) {
+  const auto keep = [&](const Vec2& axis, const Vec2& from, double reach) {
     const double at = axis.dot(wanted.p - from), nominal = axis.dot(nominal_.p - from);
-    wanted.p += (std::clamp(at, std::min(-most, nominal), std::max(most, nominal)) - at) * axis;
+    wanted.p += (std::clamp(at, std::min(-reach, nominal), std::max(reach, nominal)) - at) * axis;
   };
   keep(planned.ahead, stance_.p, settings_.steps.ahead_most);
   keep(left, stance_.p, settings_.steps.aside_most);
