@@ -108,11 +108,11 @@ const Foothold& FootstepPlanner::follow(double ahead_of_plan, double aside, cons
   wanted.p = nominal_.p + std::clamp(off.dot(planned.ahead), -most, most) * planned.ahead +
              (off.dot(left) + std::clamp(aside, -most, most)) * left;
   // Within reach of the leg, and of the time that is left; where the plan goes, and where the foot goes already, it may go on.
-  const auto within = [&](const Vec2& axis, double most, double far) {
+  const auto within = [&](const Vec2& axis, double reach, double far) {
     const double planned_there = (nominal_.p - stance_.p).dot(axis), now = (target_.p - stance_.p).dot(axis);
     const double by_itself = (foot - stance_.p).dot(axis), there = (wanted.p - stance_.p).dot(axis);
-    const double lower = std::max(std::min(-most, planned_there), std::min(by_itself - far, now));
-    const double upper = std::min(std::max(most, planned_there), std::max(by_itself + far, now));
+    const double lower = std::max(std::min(-reach, planned_there), std::min({by_itself - far, now, planned_there}));
+    const double upper = std::min(std::max(reach, planned_there), std::max({by_itself + far, now, planned_there}));
     wanted.p += (std::max(std::min(there, upper), lower) - there) * axis;
   };
   if (settings_.steps.timing) {

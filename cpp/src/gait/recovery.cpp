@@ -14,6 +14,7 @@ constexpr double kAlarm = 0.7;  // from here on it may use the whole sole
 
 constexpr double kSide = 0.4;  // the ZMP at this share of the half width, or less, is nowhere near a corner
 
+constexpr double kPushed = 0.5;      // urgency from which the robot counts as pushed
 constexpr double kFreezeLate = 0.9;  // share of the single support until which a pushed robot moves its foothold
 
 // Times in T_c.
@@ -73,7 +74,7 @@ double GaitGenerator::urgency(const GaitInput& in) const {
 
 double GaitGenerator::decided_share(const GaitInput& in) const {
   const double share = out_.phase.time / out_.phase.duration;
-  if (!recovers_ || began_ == Began::kSingleSupport || !(urgency(in) > 0.0)) return share;
+  if (!recovers_ || began_ == Began::kSingleSupport || urgency(in) < kPushed) return share;
   return share * std::min(settings_.steps.freeze / kFreezeLate, 1.0);
 }
 
