@@ -249,3 +249,35 @@ def test_the_walk_command_pushes(zmpwalk_command, tmp_path):
     assert (trace.meta["uncertainty"]["noise"], trace.meta["seed"]) == (1.0, 3)
     assert trace.rerun() == trace
     assert zmpwalk_command("walk", "--push", "now").returncode == 2
+
+
+# ---- step timing
+
+
+CATCHES = {"step_timing": True, "lateral_reach": 1.6, "foothold_reach": 0.35}
+
+
+def test_a_robot_that_changes_the_time_of_its_step_bears_twice_the_push_outwards():
+    quiet = simulate(profile=PROFILE, duration=8.0)
+    lifts = np.flatnonzero((np.diff(quiet.phase) == 1) & (quiet.t[1:] > 6.0) & (quiet.support[1:] > 0))
+    t = float(quiet.t[lifts[0] + 1])
+    assert not judge(pushed(0.2, t=t), t).survived
+    assert judge(pushed(0.2, t=t, settings=CATCHES), t).survived
+
+
+def test_step_timing_leaves_a_quiet_walk_as_it_is():
+    with_it, without = (
+        simulate(profile=PROFILE, duration=8.0, settings={**CATCHES, "step_timing": on}) for on in (True, False)
+    )
+    np.testing.assert_allclose(with_it.com, without.com, atol=1e-6)
+
+
+def test_a_standing_robot_steps_when_it_must_and_stands_again():
+    def stand(**more):
+        push = [(1.0, 0.08, None, (62.9 * 0.45 / 0.08, 0.0, 0.0))]
+        return simulate(profile=VelocityProfile.constant(0.0), duration=9.0, push=push, on_fall="go_on", **more)
+
+    caught = stand(settings=CATCHES)
+    assert judge(caught, 1.0).survived
+    assert caught.phase[:900].max() == 0 and caught.phase.max() == 1 and caught.phase[-500:].max() == 0
+    assert not judge(stand(), 1.0).survived

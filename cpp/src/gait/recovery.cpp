@@ -110,17 +110,17 @@ void GaitGenerator::adjust_time(const GaitInput& in) {
   const ZmpBounds& whole = whole_[out_.support];
   const Vec2 xi = to_H * (in.com + Tc * in.dcom - out_.origin);
   const Vec2 foot = to_H * (in.p_sole[out_.swing].head<2>() - out_.origin), velocity = to_H * swing_velocity();
-  const Vec2 place(footsteps_.lead(out_.phase.step, next_) + out_.v_plan.x() * (limits.planned - left),
-                   (to_H * (footsteps_.planned(out_.swing, next_).p - out_.origin)).y());
+  const Vec2 drift(out_.v_plan.x(), 0.0);
+  const Vec2 place = to_H * (out_.foothold.p - out_.origin) + (limits.planned - left) * drift;
   const double near = side_sign(out_.swing) * least_apart_, far = side_sign(out_.swing) * steps.aside_most;
   const double ahead_most = std::max(steps.ahead_most, std::abs(place.x()));
   const Vec2 lower(-ahead_most, std::min(near, far)), upper(ahead_most, std::max(near, far));
-  const Vec2 drift(out_.v_plan.x(), 0.0), offset(xi_start_, xi_offset_);
+  const Vec2 offset(xi_start_, xi_offset_), give(steps.capture_distance, 0.0);
   const Vec2 acceleration(settings_.swing.ahead_acceleration, settings_.swing.aside_acceleration);
   std::array<StepAxis, 2> axes;
   for (int i = 0; i < 2; ++i)
-    axes[i] = {xi[i],    whole.lower[i], whole.upper[i], place[i],        drift[i], lower[i],
-               upper[i], foot[i],        velocity[i],    acceleration[i], offset[i]};
+    axes[i] = {xi[i],    whole.lower[i], whole.upper[i], place[i],        drift[i],  lower[i],
+               upper[i], foot[i],        velocity[i],    acceleration[i], offset[i], give[i]};
   const double best = adjustment_.time(pendulum_, axes, limits);
   if (std::abs(best - left) < kSame * Tc) return;
   const double taken_up = -std::expm1(-settings_.control.dt / (kTakenUp * Tc));

@@ -29,7 +29,7 @@ double StepAdjustment::cost(const LinearInvertedPendulum& pendulum, const std::a
     const double lower = std::min(std::max(a.place_lower, middle - way), a.place_upper),
                  upper = std::max(std::min(a.place_upper, middle + way), lower);
     const double place = std::clamp(wanted, std::min(lower, planned), std::max(upper, planned));
-    const double gap = outside(place, first, last), moved = place - planned;
+    const double gap = std::max(outside(place, first, last) - a.give, 0.0), moved = place - planned;
     cost += gap * gap + weights_.place * moved * moved;
   }
   return cost;
