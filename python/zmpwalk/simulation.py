@@ -467,7 +467,7 @@ class Outside:
         """A new one with all of this."""
         simulation = _core.Simulation(controller, self.uncertainty.signals(self.seed), self.simulated)
         for each in self.push:
-            simulation.push(each.t, each.duration, each.body, [*each.force, 0.0, 0.0, 0.0][:6])
+            simulation.push(each.t, each.duration, each.body or "", [*each.force, 0.0, 0.0, 0.0][:6])
         return simulation
 
     def to_dict(self) -> dict[str, Any]:

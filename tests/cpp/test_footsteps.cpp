@@ -279,6 +279,8 @@ BOOST_AUTO_TEST_CASE(tied_foothold_is_low_passed_clamped_and_frozen) {
 
 BOOST_AUTO_TEST_CASE(tied_foothold_stays_within_reach_of_the_leg_and_of_the_time_left_but_goes_where_the_plan_goes) {
   WalkSettings s = settings(Footsteps::kTied);
+  s.steps.timing = true;
+  s.steps.shift = 0.35;
   for (const double most : {0.1, 0.3}) {  // the plan asks for more than the first
     s.steps.ahead_most = most;
     FootstepPlanner feet = planner(s, steady);

@@ -11,8 +11,9 @@ namespace {
 constexpr double kLevel =
     1e-3;  // lift-off and landing that differ by less in height are level: a sole sinks into the ground under load [m]
 constexpr double kLeastShare =
-    0.2;                        // least rate of an own time that is held back, as a share of the mean rate to its end
-constexpr double kStop = 1e-3;  // slowest rate of the own time
+    0.2;  // least rate of an own time that is held back, as a share of the mean rate to its end
+constexpr double kShortest = 1e-6;  // blend [s]: a rate that must change at once
+constexpr double kStop = 1e-3;      // slowest rate of the own time
 
 Motion1 sum(const Motion1& a, const Motion1& b) { return {a.p + b.p, a.v + b.v, a.a + b.a}; }
 
@@ -28,7 +29,8 @@ double knot_velocity(double p_0, double v_0, double h_0, double p, double h_1, d
 
 Motion1 OwnTime::at(double t) const {
   const double since = t - start_;
-  if (!(blend_ > 0.0) || since >= blend_) return {end_ - rate_ * (landing_ - t), rate_, 0.0};
+  if (untouched()) return {t, 1.0, 0.0};
+  if (since >= blend_) return {end_ - rate_ * (landing_ - t), rate_, 0.0};
   // The rate goes from from_.v, changing by from_.a, to rate_, where it rests without a bend: a quartic, whose integral is the own time.
   const double u = since / blend_, d = rate_ - from_.v, a = from_.a * blend_;
   const double c2 = 6.0 * d - 3.0 * a, c3 = 3.0 * a - 8.0 * d, c4 = 3.0 * d - a;
@@ -46,6 +48,7 @@ void OwnTime::retime(double t, double left) {
   // after it were to fall below a share of the mean rate.
   const double least = kLeastShare * way / left;
   blend_ = from_.v > least ? std::min(left, (way - least * left) / (0.4 * (from_.v - least))) : left;
+  blend_ = std::max(blend_, kShortest);
   rate_ = std::max((way - blend_ * (0.4 * from_.v + 0.05 * blend_ * from_.a)) / (left - 0.4 * blend_), kStop);
 }
 
@@ -95,7 +98,7 @@ const SwingTarget& SwingFoot::update(double t, double dt, const Foothold& footho
       now[i] = sum(sinking_[i].at(t - since_), fade_out({0.0, 0.0, beside_[i]}, sunk_ - since_, t - since_));
   } else {
     const Motion1 own = time_.at(t);
-    const double left = duration_ - own.p, step = time_.at(t + dt).p - own.p;
+    const double left = duration_ - own.p, step = time_.step(t, dt);
     to_ = {foothold.p.x(), foothold.p.y(), next_[2].p + wrap_angle(foothold.yaw - next_[2].p)};
     for (int i = 0; i < 3; ++i) {
       const Cubic spline(next_[i].p, next_[i].v, to_[i], 0.0, left);

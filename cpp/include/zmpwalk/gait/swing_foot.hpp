@@ -26,9 +26,13 @@ class OwnTime {
   Motion1 at(double t) const;
   /// From `t` on [s] the own time is to come to its end `left` [s] > 0 later.
   void retime(double t, double left);
+  /// How far the own time goes on in `dt` [s] from `t` on.
+  double step(double t, double dt) const { return untouched() ? dt : at(t + dt).p - at(t).p; }
   double landing() const { return landing_; }  ///< when it comes to its end [s]
 
  private:
+  bool untouched() const { return !(blend_ > 0.0); }
+
   double end_, landing_;
   Motion1 from_{0.0, 1.0, 0.0};                    // at `start_`
   double start_ = 0.0, blend_ = 0.0, rate_ = 1.0;  // after the blend
