@@ -99,8 +99,8 @@ void FootstepPlanner::close(Side swing, const Foothold& stance, double xi) {
   if (closing_) nominal_ = target_ = beside;
 }
 
-const Foothold& FootstepPlanner::follow(double ahead_of_plan, double aside, const PathPoint& planned, const Vec2& foot,
-                                        const Vec2& way) {
+const Foothold& FootstepPlanner::follow(double ahead_of_plan, double aside, const PathPoint& planned,
+                                        const LandingRoom* room) {
   const Vec2 left = planned.left();
   const double most = settings_.steps.shift;
   const Vec2 off = planned.p + ahead_of_plan * path_.ahead - nominal_.p;
@@ -110,14 +110,14 @@ const Foothold& FootstepPlanner::follow(double ahead_of_plan, double aside, cons
   // Within reach of the leg, and of the time that is left; where the plan goes, and where the foot goes already, it may go on.
   const auto within = [&](const Vec2& axis, double reach, double far) {
     const double planned_there = (nominal_.p - stance_.p).dot(axis), now = (target_.p - stance_.p).dot(axis);
-    const double by_itself = (foot - stance_.p).dot(axis), there = (wanted.p - stance_.p).dot(axis);
+    const double by_itself = (room->foot - stance_.p).dot(axis), there = (wanted.p - stance_.p).dot(axis);
     const double lower = std::max(std::min(-reach, planned_there), std::min({by_itself - far, now, planned_there}));
     const double upper = std::min(std::max(reach, planned_there), std::max({by_itself + far, now, planned_there}));
     wanted.p += (std::max(std::min(there, upper), lower) - there) * axis;
   };
-  if (settings_.steps.timing) {
-    within(planned.ahead, settings_.steps.ahead_most, way.x());
-    within(left, settings_.steps.aside_most, way.y());
+  if (room) {
+    within(planned.ahead, settings_.steps.ahead_most, room->way.x());
+    within(left, settings_.steps.aside_most, room->way.y());
   }
   target_.p += blend_ * (clear(wanted) - target_.p);
   target_.yaw += blend_ * wrap_angle(wanted.yaw - target_.yaw);

@@ -68,6 +68,7 @@ void GaitGenerator::reset(const GaitInput& start, const LinearInvertedPendulum& 
   commanded_ = false;
   t_command_ = 0.0;
   felt_ = {false, false};
+  pushed_.setZero();
   footsteps_.end_step();
   out_ = GaitOutput{};
   const std::array<Foothold, 2> feet = feet_of(start);
@@ -94,7 +95,7 @@ void GaitGenerator::retime(double remaining) {
   require_positive("remaining", remaining);
   if (out_.at_rest) return;
   schedule_.retime(footsteps_.now().t, remaining);
-  planned_landing_ = schedule_.touch_down();
+  retimed_ = true;
 }
 
 void GaitGenerator::take_command(double t) {
@@ -200,6 +201,7 @@ void GaitGenerator::move_swing_foot(const GaitInput& in) {
 }
 
 const GaitOutput& GaitGenerator::update_steps(const GaitInput& in) {
+  if (recovers_) feel_pushes(in);
   footsteps_.advance(in.t, in.com);
   take_command(in.t);
   began_ = begin_phase(in);
@@ -227,7 +229,10 @@ const GaitOutput& GaitGenerator::update_steps(const GaitInput& in) {
       swing_ = Swing::kLifting;
       lateral_.end_double_support();
     }
-    if (began_ != Began::kNothing) period_ = times_at(in.t + out_.phase.to_mid_double).period();
+    if (began_ != Began::kNothing) {
+      period_ = times_at(in.t + out_.phase.to_mid_double).period();
+      retimed_ = false;
+    }
     out_.support = lateral_.support();
     out_.standing[out_.swing] = !single;
   }
@@ -381,9 +386,10 @@ void GaitGenerator::move_sideways(const GaitInput& in) {
     if (footsteps_.follows(decided_share(in))) {
       const PathPoint planned = footsteps_.planned(out_.swing, next_);
       const double aside = lateral_.miss(sway(planned.p));
-      const double time = schedule_.touch_down() - in.t;
-      const Vec2 foot = in.p_sole[out_.swing].head<2>() + 0.5 * time * swing_velocity();
-      footsteps_.follow(ahead_of_plan(in), aside, planned, foot, way_in(time));
+      LandingRoom room;
+      const bool bounded = has_been_pushed();
+      if (bounded) room = landing_room(in);
+      footsteps_.follow(ahead_of_plan(in), aside, planned, bounded ? &room : nullptr);
     }
     out_.foothold = footsteps_.target();
   }

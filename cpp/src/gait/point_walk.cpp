@@ -75,6 +75,7 @@ PointWalk::PointWalk(const WalkSettings& settings, const VelocityProfile& profil
 
 const GaitOutput& PointWalk::step(Feet feet) {
   in.catch_up = tracker.catch_up(gait.output().orbit_ahead);
+  in.behind = gait.output().orbit_ahead - tracker.integral();
   const GaitOutput& now = feet == Feet::kSwing ? gait.update(in) : gait.update_steps(in);
   const Mat2 R_S = axes_of(now.ahead_S);
   const Vec2 wanted = reference_zmp(now, pendulum, tracker, in.com, in.dcom);
@@ -85,6 +86,7 @@ const GaitOutput& PointWalk::step(Feet feet) {
     in.com[i] = s.x;
     in.dcom[i] = s.v;
   }
+  in.dcom_expected = in.dcom;
   if (now.at_rest)
     tracker.reset();
   else

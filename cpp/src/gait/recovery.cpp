@@ -14,6 +14,11 @@ constexpr double kAlarm = 0.7;  // from here on it may use the whole sole
 
 constexpr double kSide = 0.4;  // the ZMP at this share of the half width, or less, is nowhere near a corner
 
+// Ways of the DCM that pushes have caused, in the same shares.
+constexpr double kFelt = 0.15;    // landings, noise and wrong masses make as much
+constexpr double kCounts = 0.4;   // from here on a push counts fully
+constexpr double kForget = 10.0;  // time constant with which a push is forgotten, in T_c: that of some steps
+
 constexpr double kPushed = 0.5;      // urgency from which the robot counts as pushed
 constexpr double kFreezeLate = 0.9;  // share of the single support until which a pushed robot moves its foothold
 
@@ -35,6 +40,7 @@ double GaitGenerator::regain(const GaitInput& in) const {
   if (!recovers_ || out_.at_rest || starting_) return 0.0;
   const TrackingSettings& tracking = settings_.tracking;
   const double far = std::max(std::abs(in.behind) - tracking.regain_from, 0.0);
+  if (far == 0.0 || plan_.at_rest(in.t, in.t + schedule_.times().period())) return 0.0;  // it stands where it can
   return std::copysign(std::min(tracking.regain_gain * far, tracking.regain_speed), in.behind);
 }
 
@@ -43,8 +49,13 @@ Vec2 GaitGenerator::swing_velocity() const {
   return out_.swing_target.v.head<2>();
 }
 
-Vec2 GaitGenerator::way_in(double time) const {
-  return Vec2(settings_.swing.ahead_acceleration, settings_.swing.aside_acceleration) * (time * time / 6.0);
+Vec2 GaitGenerator::swing_acceleration() const {
+  return {settings_.swing.ahead_acceleration, settings_.swing.aside_acceleration};
+}
+
+LandingRoom GaitGenerator::landing_room(const GaitInput& in) const {
+  const double time = schedule_.touch_down() - in.t;
+  return {in.p_sole[out_.swing].head<2>() + 0.5 * time * swing_velocity(), swing_acceleration() * (time * time / 6.0)};
 }
 
 bool GaitGenerator::off_the_feet(const GaitInput& in) const {
@@ -63,13 +74,25 @@ void GaitGenerator::begin_catching(const GaitInput& in) {
   schedule_.begin(out_.phase.step, in.t, kLift * settings_.control.dt, times_at(in.t));
 }
 
+void GaitGenerator::feel_pushes(const GaitInput& in) {
+  if (!in.dcom_expected.allFinite()) return;
+  const double Tc = pendulum_.Tc();
+  pushed_ += Tc * (in.dcom - in.dcom_expected) - settings_.control.dt / (kForget * Tc) * pushed_;
+}
+
+double GaitGenerator::pushed() const {
+  const Vec2 share = (axes_of(out_.ahead_S).transpose() * pushed_).cwiseAbs().cwiseQuotient(whole_[out_.support].upper);
+  return smooth_step((share.maxCoeff() - kFelt) / (kCounts - kFelt));
+}
+
 double GaitGenerator::urgency(const GaitInput& in) const {
-  if (starting_) return 0.0;
+  const double counts = pushed();
+  if (starting_ || counts == 0.0) return 0.0;
   const Vec2 left = left_of(out_.ahead), from = in.com - out_.origin, &whole = whole_[out_.support].upper;
   const double Tc = pendulum_.Tc(), x = from.dot(out_.ahead) - out_.orbit_middle;
   const double ahead = Tc * (in.dcom.dot(out_.ahead) - out_.orbit.velocity(x)) / whole.x();
   const double aside = before_switch() ? 0.0 : ((from + Tc * in.dcom).dot(left) - xi_planned_) / whole.y();
-  return smooth_step((std::max(std::abs(ahead), std::abs(aside)) - kCalm) / (kAlarm - kCalm));
+  return counts * smooth_step((std::max(std::abs(ahead), std::abs(aside)) - kCalm) / (kAlarm - kCalm));
 }
 
 double GaitGenerator::decided_share(const GaitInput& in) const {
@@ -89,13 +112,14 @@ void GaitGenerator::recover(const GaitInput& in) {
   out_.room.upper.x() += share * (whole.upper.x() - out_.room.upper.x());
   // In a corner of the sole the ZMP would tip the foot.
   const double beside = std::abs(out_.zmp_lateral) / whole_[out_.support].upper.y();
-  const double keep = 1.0 - settings_.zmp.corner_cut * smooth_step((beside - kSide) / (1.0 - kSide));
+  const double keep = 1.0 - share * settings_.zmp.corner_cut * smooth_step((beside - kSide) / (1.0 - kSide));
   out_.room.lower.x() *= keep;
   out_.room.upper.x() *= keep;
 }
 
 void GaitGenerator::adjust_time(const GaitInput& in) {
   if (out_.phase.phase != Phase::kSingleSupport || footsteps_.closing() || swing_ == Swing::kOverdue) return;
+  if (retimed_ || !has_been_pushed()) return;
   const double Tc = pendulum_.Tc(), left = schedule_.touch_down() - in.t;
   if (left < kDecided * Tc) return;
   const StepsSettings& steps = settings_.steps;
@@ -116,7 +140,7 @@ void GaitGenerator::adjust_time(const GaitInput& in) {
   const double ahead_most = std::max(steps.ahead_most, std::abs(place.x()));
   const Vec2 lower(-ahead_most, std::min(near, far)), upper(ahead_most, std::max(near, far));
   const Vec2 offset(xi_start_, xi_offset_), give(steps.capture_distance, 0.0);
-  const Vec2 acceleration(settings_.swing.ahead_acceleration, settings_.swing.aside_acceleration);
+  const Vec2 acceleration = swing_acceleration();
   std::array<StepAxis, 2> axes;
   for (int i = 0; i < 2; ++i)
     axes[i] = {xi[i],    whole.lower[i], whole.upper[i], place[i],        drift[i],  lower[i],

@@ -83,6 +83,7 @@ GaitInput WalkingController::gait_input(double t, const Vec2& com, const Vec2& d
   in.t = t;
   in.com = com;
   in.dcom = dcom;
+  if (settings_.com.state == ComState::kMeasured) in.dcom_expected = dcom_expected_;
   in.p_sole = {left.p_WF, right.p_WF};
   in.R_sole = {left.R_WF, right.R_WF};
   in.catch_up = tracker_.catch_up(gait_.output().orbit_ahead);
@@ -196,6 +197,7 @@ void WalkingController::start() {
   reference_.set_pendulum(height_.pendulum());
   com_des_ = dyn.com.head<2>();
   dcom_des_ = dyn.dcom.head<2>();
+  dcom_expected_.setConstant(kNaN);
   start_ = gait_input(0.0, com_des_, dcom_des_);
   gait_.reset(start_, height_.pendulum());
   tracker_.reset();
@@ -298,7 +300,15 @@ void WalkingController::cycle(const State& state) {
   decide_reference(cycle);
   whole_body_.solve(f_xy_, result_);
   limit_torque(gait);
+  dcom_expected_ = dyn.dcom.head<2>() + settings_.control.dt / dyn.mass * horizontal_force(dyn, gait.standing);
   note(cycle);
+}
+
+Vec2 WalkingController::horizontal_force(const Dynamics& dyn, const std::array<bool, 2>& standing) const {
+  Vec2 force = dyn.F_ext.head<2>();
+  for (const Side side : kSides)
+    if (standing[side]) force -= out_.f_c.segment<2>(6 * side);
+  return force;
 }
 
 void WalkingController::follow_pendulum() {

@@ -61,6 +61,12 @@ struct PlannedStance {
   double drift() const { return displacement().y(); }  ///< lateral displacement of the path [m]
 };
 
+/// Where the foot in the air can still land.
+struct LandingRoom {
+  Vec2 foot = Vec2::Zero();  ///< where it comes by itself in the time left, W [m]
+  Vec2 way = Vec2::Zero();   ///< how far from there it can be moved in that time, ahead and aside (2,) [m]
+};
+
 /// Decides where the swing foot lands, from the same plan that moves the COM.
 ///
 /// The path begins where the walk begins and follows the planned velocity. In the plan, a foot lands ahead of the path by half the way that the path
@@ -125,10 +131,9 @@ class FootstepPlanner {
   /// Moves a foothold that `follows` the COM, and returns it.
   ///
   /// @param ahead_of_plan, aside  how far from its planned place the foot has to land to catch the DCM: ahead, and to the left [m]
-  /// @param planned  where the plan puts this foot
-  /// @param foot  where the foot comes by itself in the time left, and   @param way  how far from there it can still be moved, ahead and aside (2,) [m]
-  const Foothold& follow(double ahead_of_plan, double aside, const PathPoint& planned, const Vec2& foot,
-                         const Vec2& way);
+  /// @param planned  where the plan puts this foot   @param room  what keeps the foothold besides `steps.shift`, with the reach of the leg; none, if null
+  const Foothold& follow(double ahead_of_plan, double aside, const PathPoint& planned,
+                         const LandingRoom* room = nullptr);
 
   const Foothold& target() const { return target_; }
   /// Distance along the ground of an ankle from the point below its hip: the larger one of the foot `side` as it lands and of the other foot as it

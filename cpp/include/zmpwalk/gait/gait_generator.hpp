@@ -20,6 +20,8 @@ struct GaitInput {
   Vec2 com = Vec2::Zero(), dcom = Vec2::Zero();                    ///< "current" COM state of (16), (17), W [m, m/s]
   std::array<Vec3, 2> p_sole{Vec3::Zero(), Vec3::Zero()};          ///< sole centres, W [m]
   std::array<Mat3, 2> R_sole{Mat3::Identity(), Mat3::Identity()};  ///< sole orientations
+  /// Velocity that the COM was to have now, W (2,) [m/s]: what it has beyond that, it got from a push. NaN where nothing is known of pushes.
+  Vec2 dcom_expected = Vec2::Constant(kNaN);
   double behind = 0.0;    ///< how far the COM is behind the plan along the heading [m]
   double catch_up = 0.0;  ///< speed that the velocity tracker adds to the planned one to make up lost way [m/s]
   /// Height at which the swing sole meets the ground, W [m]. NaN takes the stance sole's height, which is lower where the load has sunk that sole
@@ -94,8 +96,8 @@ class GaitGenerator {
   void set_pendulum(const LinearInvertedPendulum& pendulum) { pendulum_ = pendulum; }
   /// Commands a velocity (v_x, v_y, w_z) in H: from the next cycle on the plan goes towards it, whatever the profile says. Allocates nothing.
   void command(const Vec3& velocity);
-  /// Lets the phase of the last cycle end `remaining` [s] after that cycle. The swing foot goes on without a jump. A robot that stands is in no phase
-  /// and stays as it is. Allocates nothing. @throws InputError  `remaining` is not finite and > 0
+  /// Lets the phase of the last cycle end `remaining` [s] after that cycle, whatever pushes the robot. The swing foot goes on without a jump. A robot
+  /// that stands is in no phase and stays as it is. Allocates nothing. @throws InputError  `remaining` is not finite and > 0
   void retime(double remaining);
   /// Goes on by one cycle. Allocates nothing.
   const GaitOutput& update(const GaitInput& in);
@@ -120,7 +122,10 @@ class GaitGenerator {
   void move_sideways(const GaitInput& in);
   ZmpBounds room(const GaitInput& in, const std::array<ZmpBounds, 2>& bounds, const ZmpBounds& support) const;
   ZmpBounds sole_room(const Vec3& velocity) const;  // of the support foot alone
-  // What follows is for a robot that has been pushed (recovery.cpp); a quiet walk keeps its times and bounds.
+  // What follows is for a robot that has been pushed (recovery.cpp); a walk that nothing pushes keeps its times and bounds, whatever is commanded.
+  void feel_pushes(const GaitInput& in);
+  double pushed() const;  // how much pushes count that have been felt: 0 not at all, 1 fully
+  bool has_been_pushed() const { return recovers_ && pushed() > 0.0; }
   void recover(const GaitInput& in);
   void adjust_time(const GaitInput& in);  // of the landing
   /// Share of the single support that counts against `steps.freeze`: a pushed robot decides on its foothold later.
@@ -130,7 +135,8 @@ class GaitGenerator {
   /// Speed that steps add to the planned one, to make up way that a push has cost or given [m/s].
   double regain(const GaitInput& in) const;
   Vec2 swing_velocity() const;                   // of the swing foot, W [m/s]
-  Vec2 way_in(double time) const;                // how far the swing foot can be moved, ahead and aside (2,) [m]
+  Vec2 swing_acceleration() const;               // most that a foothold may ask of it, ahead and aside (2,) [m/s^2]
+  LandingRoom landing_room(const GaitInput& in) const;
   bool off_the_feet(const GaitInput& in) const;  // the DCM of a robot that stands has left its soles: it must step
   void begin_catching(const GaitInput& in);      // from a stand
   /// Over the support foot. The ZMP may roll as far as the sole goes on its longer side; `end`: as it does at the end of a stance.
@@ -158,6 +164,8 @@ class GaitGenerator {
   bool recovers_;       // from pushes
   StepAdjustment adjustment_;
   bool starting_ = true;          // the walk has begun from a stand, and no foot has lifted yet
+  bool retimed_ = false;          // by the caller, in this phase: its time is theirs, and stays
+  Vec2 pushed_ = Vec2::Zero();    // way of the DCM that pushes have caused and that is not forgotten yet, W [m]
   double planned_landing_ = 0.0;  // time at which the foot in the air lands if nothing disturbs it [s]
   double xi_planned_ = 0.0;       // where the lateral orbit has the DCM now, from the support foot along H's y [m]
   double xi_offset_ = 0.0;        // where it has the DCM when the next foot takes over, from that foot along H's y [m]

@@ -99,7 +99,7 @@ struct StepsSettings {
   std::vector<double> lengths;
   double width = kNaN, clearance = kNaN, shift = kNaN, filter_time = kNaN, give = 0.3, freeze = 0.7;
   double capture_distance = kNaN, capture_speed = kNaN;
-  bool timing = false;
+  bool timing = true;
   double ahead_most = kNaN, aside_most = kNaN, least_time = kNaN, wait_time = kNaN;
 
   template <class Self, class Visitor>
@@ -115,7 +115,7 @@ struct StepsSettings {
       "Distance of the two feet from each other, sideways.");
     v(g.clearance, "clearance", "foot_clearance", "m", must_be::kNotNegative, {0.03, of::kComHeight},
       "Least gap that a step leaves between the edges of the two soles, sideways.");
-    v(g.shift, "shift", "foothold_reach", "m", must_be::kNotNegative, {0.25, of::kComHeight},
+    v(g.shift, "shift", "foothold_reach", "m", must_be::kNotNegative, {0.47, of::kComHeight},
       "How far a tied foothold may be moved from its nominal place to keep the robot balanced.");
     v(g.filter_time, "filter_time", "foothold_time", "s", must_be::kPositive, {0.18, of::kTimeConstant},
       "Time constant of the low-pass through which a tied foothold moves while the foot is in the air.");
@@ -132,9 +132,7 @@ struct StepsSettings {
       "Most that the tracked speed yields, either way, to keep the DCM within capture_distance of its plan.");
     v(g.timing, "timing", "step_timing", "", must_be::kAnything, {},
       "Whether a robot that has been pushed changes the time of its step, uses the whole sole, and steps out of a "
-      "stand to "
-      "catch itself. It then needs room: lateral_reach=1.6 and foothold_reach of half the COM's height. Only with tied "
-      "footsteps.");
+      "stand to catch itself. Only with tied footsteps.");
     v(g.ahead_most, "ahead_most", "step_ahead_most", "m", must_be::kPositive, {0.6, of::kComHeight},
       "How far ahead of the standing foot, or behind it, a foot may be set down to catch the robot.");
     v(g.aside_most, "aside_most", "step_aside_most", "m", must_be::kPositive, {0.67, of::kComHeight},
@@ -240,7 +238,7 @@ struct ZmpSettings {
   double sole_fraction = 0.72, sole_exponent = 0.5, ankle_torque_fraction = 0.9;
   bool bound_lateral = true;
   LateralLawName lateral_law{};
-  double lateral_shift = 0.4;
+  double lateral_shift = 1.6;
   double whole_fraction = 0.95, corner_cut = 0.3;
 
   template <class Self, class Visitor>

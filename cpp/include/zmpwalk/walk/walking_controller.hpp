@@ -137,6 +137,8 @@ class WalkingController {
   void follow_pendulum();  // gait and reference take that of the COM's height and of the known forces
   void command_tasks(const Cycle& cycle);
   void decide_reference(const Cycle& cycle);
+  // That of the ground and of known forces on the robot, W [N].
+  Vec2 horizontal_force(const Dynamics& dyn, const std::array<bool, 2>& standing) const;
   void limit_torque(const GaitOutput& gait);
   void note(const Cycle& cycle);  // into the output
 
@@ -167,6 +169,7 @@ class WalkingController {
 
   GaitInput start_;
   Vec2 com_des_ = Vec2::Zero(), dcom_des_ = Vec2::Zero();  // previous desired state, W
+  Vec2 dcom_expected_ = Vec2::Constant(kNaN);  // what the torque of the last cycle makes of the COM's velocity, W
   State state_;                                            // of this instant
   // What this cycle asks of the whole body, and what comes of it.
   Stance stance_;
