@@ -291,8 +291,9 @@ BOOST_AUTO_TEST_CASE(tied_foothold_stays_within_reach_of_the_leg_and_of_the_time
       for (int k = 0; k < 2000; ++k) feet.follow(ahead, 0.0, plan, &room);
       return feet.target().p.x() - stance.x();
     };
-    CHECK_NEAR(after(2.0, 0.01), std::max(std::min(lead + 0.01, most), lead), 1e-9);
-    CHECK_NEAR(after(2.0, 10.0), std::max(most, lead), 1e-9);
+    const double longest = std::max(most, 1.15 * lead);  // where the plan goes that far, a little further
+    CHECK_NEAR(after(2.0, 0.01), std::min(lead + 0.01, longest), 1e-9);
+    CHECK_NEAR(after(2.0, 10.0), longest, 1e-9);
   }
 }
 

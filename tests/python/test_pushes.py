@@ -156,11 +156,11 @@ def test_a_record_that_does_not_span_the_push_is_refused(survivor):
 
 @pytest.fixture(scope="module")
 def small_map():
-    return push_map(directions=[90, 270], phases=[0.0, 0.9], stances=["left"], step=0.1, fine_step=0.02, limit=0.2)
+    return push_map(directions=[90, 270], phases=[0.0, 0.9], stances=["left"], step=0.1, fine_step=0.02, limit=0.4)
 
 
 def test_a_symmetrical_robot_falls_alike_on_both_stances():
-    both = push_map(directions=[90], phases=[0.0], step=0.1, fine_step=0.02, limit=0.2).felling
+    both = push_map(directions=[90], phases=[0.0], step=0.1, fine_step=0.02, limit=0.4).felling
     np.testing.assert_allclose(both[0], both[1], atol=0.021)
 
 
@@ -180,7 +180,7 @@ def test_in_double_support_inwards_is_outwards_for_the_next_foot(small_map):
 
 
 def test_worst_and_mean_count_what_nothing_fells_as_the_limit(small_map):
-    known = np.where(np.isnan(small_map.felling), 0.2, small_map.felling)
+    known = np.where(np.isnan(small_map.felling), 0.4, small_map.felling)
     assert small_map.worst == known.min()
     assert small_map.mean == known.mean()
 
@@ -198,9 +198,9 @@ def test_the_figure_has_a_polar_axes_for_each_phase(small_map):
 
 
 def test_a_standing_robot_has_one_phase():
-    found = push_map(velocity=0.0, directions=[90], step=0.2, fine_step=0.1, limit=0.6)
+    found = push_map(velocity=0.0, directions=[90], step=0.2, fine_step=0.1, limit=0.8)
     assert found.felling.shape == (1, 1, 1)
-    assert 0.4 < found.worst <= 0.6
+    assert 0.5 < found.worst <= 0.8
 
 
 @pytest.mark.parametrize(
@@ -251,25 +251,38 @@ def test_the_walk_command_pushes(zmpwalk_command, tmp_path):
     assert zmpwalk_command("walk", "--push", "now").returncode == 2
 
 
-# ---- step timing
+# ---- how the robot catches itself
+
+FIXED = {"step_timing": False}
 
 
-CATCHES = {"step_timing": True, "lateral_reach": 1.6, "foothold_reach": 0.35}
-
-
-def test_a_robot_that_changes_the_time_of_its_step_bears_twice_the_push_outwards():
+def lift_off(support=1):
+    """The first lift-off after 6 s by which the foot of that side stands alone [s]."""
     quiet = simulate(profile=PROFILE, duration=8.0)
-    lifts = np.flatnonzero((np.diff(quiet.phase) == 1) & (quiet.t[1:] > 6.0) & (quiet.support[1:] > 0))
-    t = float(quiet.t[lifts[0] + 1])
-    assert not judge(pushed(0.2, t=t), t).survived
-    assert judge(pushed(0.2, t=t, settings=CATCHES), t).survived
+    lifts = np.flatnonzero((np.diff(quiet.phase) == 1) & (quiet.t[1:] > 6.0) & (quiet.support[1:] == support))
+    return float(quiet.t[lifts[0] + 1])
 
 
-def test_step_timing_leaves_a_quiet_walk_as_it_is():
-    with_it, without = (
-        simulate(profile=PROFILE, duration=8.0, settings={**CATCHES, "step_timing": on}) for on in (True, False)
+def test_a_robot_that_changes_the_time_of_its_step_bears_more_outwards():
+    t = lift_off()
+    assert not judge(pushed(0.22, t=t, settings=FIXED), t).survived
+    assert judge(pushed(0.22, t=t), t).survived
+
+
+def test_a_trunk_that_yields_bears_more_backward():
+    t = lift_off() + 0.7  # in the double support that follows
+    assert judge(pushed(0.46, (-1.0, 0.0, 0.0), t), t).survived
+    assert not judge(pushed(0.46, (-1.0, 0.0, 0.0), t, settings={"trunk_yields": False}), t).survived
+
+
+def test_what_catches_the_robot_leaves_a_quiet_walk_as_it_is_to_the_bit():
+    """Starts, turns, jumps of the command and stops are no pushes."""
+    profile = VelocityProfile.piecewise([(0, 0), (0.5, (0.3, 0, 0.3)), (3, (0.1, 0.1, 0)), (6, 0)])
+    walk, without = (
+        simulate(profile=profile, duration=8.0, settings=more) for more in ({}, {**FIXED, "trunk_yields": False})
     )
-    np.testing.assert_allclose(with_it.com, without.com, atol=1e-6)
+    for column in ("qpos", "qvel", "tau", "zmp_est"):
+        np.testing.assert_array_equal(walk[column], without[column])
 
 
 def test_a_standing_robot_steps_when_it_must_and_stands_again():
@@ -277,7 +290,7 @@ def test_a_standing_robot_steps_when_it_must_and_stands_again():
         push = [(1.0, 0.08, None, (62.9 * 0.45 / 0.08, 0.0, 0.0))]
         return simulate(profile=VelocityProfile.constant(0.0), duration=9.0, push=push, on_fall="go_on", **more)
 
-    caught = stand(settings=CATCHES)
+    caught = stand()
     assert judge(caught, 1.0).survived
     assert caught.phase[:900].max() == 0 and caught.phase.max() == 1 and caught.phase[-500:].max() == 0
-    assert not judge(stand(), 1.0).survived
+    assert not judge(stand(settings=FIXED), 1.0).survived

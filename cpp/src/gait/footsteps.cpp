@@ -1,11 +1,17 @@
 #include "zmpwalk/gait/footsteps.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "zmpwalk/math/error.hpp"
 #include "zmpwalk/math/rotation.hpp"
 
 namespace zmpwalk {
+namespace {
+
+constexpr double kLonger = 1.15;  // times the planned step, where the plan goes as far as the leg is said to reach
+
+}  // namespace
 
 FootstepPlanner::FootstepPlanner(const WalkSettings& settings, const VelocityProfile& plan, const SoleSize& sole)
     : settings_(settings),
@@ -102,7 +108,7 @@ void FootstepPlanner::close(Side swing, const Foothold& stance, double xi) {
 const Foothold& FootstepPlanner::follow(double ahead_of_plan, double aside, const PathPoint& planned,
                                         const LandingRoom* room) {
   const Vec2 left = planned.left();
-  const double most = settings_.steps.shift;
+  const double most = room ? std::numeric_limits<double>::infinity() : settings_.steps.shift;
   const Vec2 off = planned.p + ahead_of_plan * path_.ahead - nominal_.p;
   Foothold wanted = planned;
   wanted.p = nominal_.p + std::clamp(off.dot(planned.ahead), -most, most) * planned.ahead +
@@ -111,8 +117,10 @@ const Foothold& FootstepPlanner::follow(double ahead_of_plan, double aside, cons
   const auto within = [&](const Vec2& axis, double reach, double far) {
     const double planned_there = (nominal_.p - stance_.p).dot(axis), now = (target_.p - stance_.p).dot(axis);
     const double by_itself = (room->foot - stance_.p).dot(axis), there = (wanted.p - stance_.p).dot(axis);
-    const double lower = std::max(std::min(-reach, planned_there), std::min({by_itself - far, now, planned_there}));
-    const double upper = std::min(std::max(reach, planned_there), std::max({by_itself + far, now, planned_there}));
+    const double lower =
+        std::max(std::min(-reach, kLonger * planned_there), std::min({by_itself - far, now, planned_there}));
+    const double upper =
+        std::min(std::max(reach, kLonger * planned_there), std::max({by_itself + far, now, planned_there}));
     wanted.p += (std::max(std::min(there, upper), lower) - there) * axis;
   };
   if (room) {

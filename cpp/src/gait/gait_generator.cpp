@@ -68,7 +68,8 @@ void GaitGenerator::reset(const GaitInput& start, const LinearInvertedPendulum& 
   commanded_ = false;
   t_command_ = 0.0;
   felt_ = {false, false};
-  pushed_.setZero();
+  pushed_way_.setZero();
+  pushed_ = 0.0;
   footsteps_.end_step();
   out_ = GaitOutput{};
   const std::array<Foothold, 2> feet = feet_of(start);
@@ -201,7 +202,6 @@ void GaitGenerator::move_swing_foot(const GaitInput& in) {
 }
 
 const GaitOutput& GaitGenerator::update_steps(const GaitInput& in) {
-  if (recovers_) feel_pushes(in);
   footsteps_.advance(in.t, in.com);
   take_command(in.t);
   began_ = begin_phase(in);
@@ -239,6 +239,7 @@ const GaitOutput& GaitGenerator::update_steps(const GaitInput& in) {
   out_.origin = in.p_sole[out_.support].head<2>();
   out_.yaw = yaw_of(in.R_sole[out_.support]);
   out_.ahead_S = ahead_of(out_.yaw);
+  if (recovers_) feel_pushes(in);
   sole_room_ = sole_room(out_.v_plan);
   out_.room = room(in, bounds_, sole_room_);
   if (out_.at_rest) {
@@ -248,6 +249,7 @@ const GaitOutput& GaitGenerator::update_steps(const GaitInput& in) {
     const Vec2 xi = in.com + pendulum_.Tc() * in.dcom;
     out_.zmp_rest = xi + settings_.gait.stand_gain * (xi - middle);
     out_.orbit_ahead = out_.dv_capture = 0.0;
+    out_.urgency = pushed_ > 0.0 ? urgency(off_stand(xi - middle)) : 0.0;
   } else {
     move_ahead(in);
     move_sideways(in);
@@ -386,10 +388,9 @@ void GaitGenerator::move_sideways(const GaitInput& in) {
     if (footsteps_.follows(decided_share(in))) {
       const PathPoint planned = footsteps_.planned(out_.swing, next_);
       const double aside = lateral_.miss(sway(planned.p));
-      LandingRoom room;
-      const bool bounded = has_been_pushed();
-      if (bounded) room = landing_room(in);
-      footsteps_.follow(ahead_of_plan(in), aside, planned, bounded ? &room : nullptr);
+      LandingRoom reachable;
+      if (pushed_ > 0.0) reachable = landing_room(in);
+      footsteps_.follow(ahead_of_plan(in), aside, planned, pushed_ > 0.0 ? &reachable : nullptr);
     }
     out_.foothold = footsteps_.target();
   }

@@ -12,15 +12,16 @@ namespace {
 constexpr double kCalm = 0.3;   // up to here the ZMP keeps to its usual bounds: changes of speed make as much
 constexpr double kAlarm = 0.7;  // from here on it may use the whole sole
 
-constexpr double kSide = 0.4;  // the ZMP at this share of the half width, or less, is nowhere near a corner
+constexpr double kNarrow = 0.5;  // share of the width that the ZMP gives up where the length matters more
+constexpr double kSide = 0.4;    // the ZMP at this share of the half width, or less, is nowhere near a corner
 
 // Ways of the DCM that pushes have caused, in the same shares.
 constexpr double kFelt = 0.15;    // landings, noise and wrong masses make as much
 constexpr double kCounts = 0.4;   // from here on a push counts fully
 constexpr double kForget = 10.0;  // time constant with which a push is forgotten, in T_c: that of some steps
 
-constexpr double kPushed = 0.5;      // urgency from which the robot counts as pushed
-constexpr double kFreezeLate = 0.9;  // share of the single support until which a pushed robot moves its foothold
+constexpr double kPushed = 0.5;       // urgency from which the robot counts as pushed
+constexpr double kFreezeLate = 0.95;  // share of the single support until which a pushed robot moves its foothold
 
 // Times in T_c.
 constexpr double kDecided = 0.36;  // a foot that is to land this soon keeps its time, so that it lands calmly
@@ -75,42 +76,53 @@ void GaitGenerator::begin_catching(const GaitInput& in) {
 }
 
 void GaitGenerator::feel_pushes(const GaitInput& in) {
-  if (!in.dcom_expected.allFinite()) return;
   const double Tc = pendulum_.Tc();
-  pushed_ += Tc * (in.dcom - in.dcom_expected) - settings_.control.dt / (kForget * Tc) * pushed_;
+  if (in.dcom_expected.allFinite())
+    pushed_way_ += Tc * (in.dcom - in.dcom_expected) - settings_.control.dt / (kForget * Tc) * pushed_way_;
+  const Vec2 way = axes_of(out_.ahead_S).transpose() * pushed_way_, whole = whole_[out_.support].upper;
+  pushed_ = smooth_step((way.cwiseAbs().cwiseQuotient(whole).maxCoeff() - kFelt) / (kCounts - kFelt));
 }
 
-double GaitGenerator::pushed() const {
-  const Vec2 share = (axes_of(out_.ahead_S).transpose() * pushed_).cwiseAbs().cwiseQuotient(whole_[out_.support].upper);
-  return smooth_step((share.maxCoeff() - kFelt) / (kCounts - kFelt));
-}
-
-double GaitGenerator::urgency(const GaitInput& in) const {
-  const double counts = pushed();
-  if (starting_ || counts == 0.0) return 0.0;
+Vec2 GaitGenerator::off_plan(const GaitInput& in) const {
   const Vec2 left = left_of(out_.ahead), from = in.com - out_.origin, &whole = whole_[out_.support].upper;
   const double Tc = pendulum_.Tc(), x = from.dot(out_.ahead) - out_.orbit_middle;
-  const double ahead = Tc * (in.dcom.dot(out_.ahead) - out_.orbit.velocity(x)) / whole.x();
+  const double ahead = Tc * (in.dcom.dot(out_.ahead) - out_.orbit.velocity(x)) / sole_room_.upper.x();
   const double aside = before_switch() ? 0.0 : ((from + Tc * in.dcom).dot(left) - xi_planned_) / whole.y();
-  return counts * smooth_step((std::max(std::abs(ahead), std::abs(aside)) - kCalm) / (kAlarm - kCalm));
+  return {ahead, aside};
+}
+
+Vec2 GaitGenerator::off_stand(const Vec2& off) const {
+  return (axes_of(out_.ahead_S).transpose() * off).cwiseQuotient(0.5 * (out_.room.upper - out_.room.lower));
+}
+
+double GaitGenerator::urgency(const Vec2& off) const {
+  return starting_ ? 0.0 : pushed_ * smooth_step((off.cwiseAbs().maxCoeff() - kCalm) / (kAlarm - kCalm));
 }
 
 double GaitGenerator::decided_share(const GaitInput& in) const {
   const double share = out_.phase.time / out_.phase.duration;
-  if (!recovers_ || began_ == Began::kSingleSupport || urgency(in) < kPushed) return share;
+  if (pushed_ == 0.0 || began_ == Began::kSingleSupport || urgency(off_plan(in)) < kPushed) return share;
   return share * std::min(settings_.steps.freeze / kFreezeLate, 1.0);
 }
 
 void GaitGenerator::recover(const GaitInput& in) {
+  out_.urgency = 0.0;
+  if (pushed_ == 0.0) return;
   adjust_time(in);
-  // Sideways the whole sole serves at once: as long as nothing disturbs it, the ZMP stays near the middle there.
+  // Sideways the whole sole serves at once: the foot that could catch the robot there is seldom in time.
   const ZmpBounds whole = room(in, whole_, whole_[out_.support]);
-  const double share = urgency(in);
-  out_.room.lower.y() = whole.lower.y();
-  out_.room.upper.y() = whole.upper.y();
-  out_.room.lower.x() += share * (whole.lower.x() - out_.room.lower.x());
-  out_.room.upper.x() += share * (whole.upper.x() - out_.room.upper.x());
-  // In a corner of the sole the ZMP would tip the foot.
+  const Vec2 off = off_plan(in);
+  const double share = out_.urgency = urgency(off);
+  const Vec2 shares(share, pushed_);
+  out_.room.lower += shares.cwiseProduct(whole.lower - out_.room.lower);
+  out_.room.upper += shares.cwiseProduct(whole.upper - out_.room.upper);
+  // In a corner of the sole the ZMP would tip the foot. The axis along which the DCM is further off keeps its room.
+  if (std::abs(off.x()) > std::abs(off.y())) {
+    const double narrow = 1.0 - share * kNarrow;
+    out_.room.lower.y() *= narrow;
+    out_.room.upper.y() *= narrow;
+    out_.zmp_lateral = std::clamp(out_.zmp_lateral, out_.room.lower.y(), out_.room.upper.y());
+  }
   const double beside = std::abs(out_.zmp_lateral) / whole_[out_.support].upper.y();
   const double keep = 1.0 - share * settings_.zmp.corner_cut * smooth_step((beside - kSide) / (1.0 - kSide));
   out_.room.lower.x() *= keep;
@@ -118,8 +130,8 @@ void GaitGenerator::recover(const GaitInput& in) {
 }
 
 void GaitGenerator::adjust_time(const GaitInput& in) {
-  if (out_.phase.phase != Phase::kSingleSupport || footsteps_.closing() || swing_ == Swing::kOverdue) return;
-  if (retimed_ || !has_been_pushed()) return;
+  if (out_.phase.phase != Phase::kSingleSupport || footsteps_.closing() || swing_ == Swing::kOverdue || retimed_)
+    return;
   const double Tc = pendulum_.Tc(), left = schedule_.touch_down() - in.t;
   if (left < kDecided * Tc) return;
   const StepsSettings& steps = settings_.steps;

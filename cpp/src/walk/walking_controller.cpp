@@ -198,6 +198,7 @@ void WalkingController::start() {
   com_des_ = dyn.com.head<2>();
   dcom_des_ = dyn.dcom.head<2>();
   dcom_expected_.setConstant(kNaN);
+  trunk_task_.softness = 0.0;
   start_ = gait_input(0.0, com_des_, dcom_des_);
   gait_.reset(start_, height_.pendulum());
   tracker_.reset();
@@ -328,6 +329,7 @@ void WalkingController::command_tasks(const Cycle& cycle) {
   trunk_task_.turn = turning(body_.at(n), body_.at(n + 1), body_.at(n + 2));
   Mat3 R_WH = Mat3::Identity();
   R_WH.topLeftCorner<2, 2>() = cycle.R_WH;
+  soften_trunk(gait.urgency);
   f_star_.trunk = trunk_task_.acceleration(dyn, R_WH, gait.v_plan.z());
   posture_task_.q = ref.q().head(n);
   posture_task_.dq = ref.dq().head(n);
@@ -341,6 +343,19 @@ void WalkingController::command_tasks(const Cycle& cycle) {
   foot_task_.reference.velocity << target.v, target.omega;
   if (settings_.swing.feed_forward) foot_task_.reference.acceleration << target.a, target.alpha;
   f_star_.swing = foot_task_.acceleration(dyn);
+}
+
+void WalkingController::soften_trunk(double urgency) {
+  if (!settings_.trunk.yields) return;
+  // Times in T_c, so that every robot yields as the one for which they were found.
+  constexpr double kRate = 0.55, kMost = 0.23, kHold = 3.6;
+  constexpr double kNone = 1e-4;  // what is left of the softness is not worth a blend
+  const double Tc = height_.pendulum().Tc();
+  TrunkTask& trunk = trunk_task_;
+  trunk.soft_rate = kRate / Tc;
+  trunk.soft_most = kMost / (Tc * Tc);
+  trunk.softness = std::max(urgency, trunk.softness * (1.0 - settings_.control.dt / (kHold * Tc)));
+  if (trunk.softness < kNone) trunk.softness = 0.0;
 }
 
 void WalkingController::decide_reference(const Cycle& cycle) {

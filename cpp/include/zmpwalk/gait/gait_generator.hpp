@@ -59,7 +59,9 @@ struct GaitOutput {
   double zmp_lateral = 0.0;      ///< reference ZMP, from `origin` along the y axis of H [m]
   Vec2 zmp_rest = Vec2::Zero();  ///< reference ZMP of a robot at rest, W [m]
   double w_T = kNaN;             ///< w(T) of eq. 18, H, in double support before the switch [m/s]; else NaN
-  Foothold foothold;             ///< where the swing foot is to land, W; NaN in double support
+  double urgency =
+      0.0;            ///< how far a push has taken the DCM from its plan: 0 as planned, 1 where everything is to help
+  Foothold foothold;  ///< where the swing foot is to land, W; NaN in double support
   double stretch =
       0.0;  ///< largest distance along the ground of an ankle from below its hip, around this double support or the next [m]
   SwingTarget swing_target;  ///< desired motion of the swing sole; it has a meaning in single support only
@@ -124,18 +126,19 @@ class GaitGenerator {
   ZmpBounds sole_room(const Vec3& velocity) const;  // of the support foot alone
   // What follows is for a robot that has been pushed (recovery.cpp); a walk that nothing pushes keeps its times and bounds, whatever is commanded.
   void feel_pushes(const GaitInput& in);
-  double pushed() const;  // how much pushes count that have been felt: 0 not at all, 1 fully
-  bool has_been_pushed() const { return recovers_ && pushed() > 0.0; }
   void recover(const GaitInput& in);
   void adjust_time(const GaitInput& in);  // of the landing
   /// Share of the single support that counts against `steps.freeze`: a pushed robot decides on its foothold later.
   double decided_share(const GaitInput& in) const;
-  /// How far the DCM has left its plan: 0 as planned, 1 where the ZMP is to use the whole sole.
-  double urgency(const GaitInput& in) const;
+  /// How far the DCM has left its plan, ahead and aside, in shares of half the room that the ZMP has there.
+  Vec2 off_plan(const GaitInput& in) const;
+  Vec2 off_stand(const Vec2& off) const;  // the same of a robot at rest, its DCM `off` from between the feet, W [m]
+  /// How much that alarms, and pushes are its cause: 0 not at all, 1 where the ZMP is to use the whole sole.
+  double urgency(const Vec2& off) const;
   /// Speed that steps add to the planned one, to make up way that a push has cost or given [m/s].
   double regain(const GaitInput& in) const;
-  Vec2 swing_velocity() const;                   // of the swing foot, W [m/s]
-  Vec2 swing_acceleration() const;               // most that a foothold may ask of it, ahead and aside (2,) [m/s^2]
+  Vec2 swing_velocity() const;      // of the swing foot, W [m/s]
+  Vec2 swing_acceleration() const;  // most that a foothold may ask of it, ahead and aside (2,) [m/s^2]
   LandingRoom landing_room(const GaitInput& in) const;
   bool off_the_feet(const GaitInput& in) const;  // the DCM of a robot that stands has left its soles: it must step
   void begin_catching(const GaitInput& in);      // from a stand
@@ -163,12 +166,13 @@ class GaitGenerator {
   double least_apart_;  // middles of feet beside each other, so that they keep clear [m]
   bool recovers_;       // from pushes
   StepAdjustment adjustment_;
-  bool starting_ = true;          // the walk has begun from a stand, and no foot has lifted yet
-  bool retimed_ = false;          // by the caller, in this phase: its time is theirs, and stays
-  Vec2 pushed_ = Vec2::Zero();    // way of the DCM that pushes have caused and that is not forgotten yet, W [m]
-  double planned_landing_ = 0.0;  // time at which the foot in the air lands if nothing disturbs it [s]
-  double xi_planned_ = 0.0;       // where the lateral orbit has the DCM now, from the support foot along H's y [m]
-  double xi_offset_ = 0.0;        // where it has the DCM when the next foot takes over, from that foot along H's y [m]
+  bool starting_ = true;            // the walk has begun from a stand, and no foot has lifted yet
+  bool retimed_ = false;            // by the caller, in this phase: its time is theirs, and stays
+  Vec2 pushed_way_ = Vec2::Zero();  // way of the DCM that pushes have caused and that is not forgotten yet, W [m]
+  double pushed_ = 0.0;             // how much that counts: 0 not at all, 1 fully
+  double planned_landing_ = 0.0;    // time at which the foot in the air lands if nothing disturbs it [s]
+  double xi_planned_ = 0.0;         // where the lateral orbit has the DCM now, from the support foot along H's y [m]
+  double xi_offset_ = 0.0;  // where it has the DCM when the next foot takes over, from that foot along H's y [m]
   GaitOutput out_;
   ZmpBounds sole_room_;      // bounds of the support foot at the planned velocity
   PlannedStance next_;       // stance of the foot that takes over next: the one that swings, or one that has landed

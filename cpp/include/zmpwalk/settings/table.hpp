@@ -115,8 +115,9 @@ struct StepsSettings {
       "Distance of the two feet from each other, sideways.");
     v(g.clearance, "clearance", "foot_clearance", "m", must_be::kNotNegative, {0.03, of::kComHeight},
       "Least gap that a step leaves between the edges of the two soles, sideways.");
-    v(g.shift, "shift", "foothold_reach", "m", must_be::kNotNegative, {0.47, of::kComHeight},
-      "How far a tied foothold may be moved from its nominal place to keep the robot balanced.");
+    v(g.shift, "shift", "foothold_reach", "m", must_be::kNotNegative, {0.25, of::kComHeight},
+      "How far a tied foothold may be moved from its nominal place to keep the robot balanced. A robot that has been "
+      "pushed uses all its reach.");
     v(g.filter_time, "filter_time", "foothold_time", "s", must_be::kPositive, {0.18, of::kTimeConstant},
       "Time constant of the low-pass through which a tied foothold moves while the foot is in the air.");
     v(g.give, "give", "foothold_give", "", must_be::kNotNegative, {},
@@ -171,10 +172,9 @@ struct SwingSettings {
       "Damping with which the foot in the air is held on its path: acceleration per velocity error, in position and "
       "orientation.");
     v(g.ahead_acceleration, "ahead_acceleration", "swing_ahead_acceleration", "m/s^2", must_be::kPositive,
-      {2.0, of::kGravity},
+      {1.5, of::kGravity},
       "Acceleration, forward or backward, that a foothold may ask of the foot in the air beyond its way by itself. "
-      "More "
-      "would turn the standing foot on the ground.");
+      "More would turn the standing foot on the ground, and push the COM the other way.");
     v(g.aside_acceleration, "aside_acceleration", "swing_aside_acceleration", "m/s^2", must_be::kPositive,
       {4.0, of::kGravity},
       "Acceleration, sideways, that a foothold may ask of the foot in the air beyond its way by itself.");
@@ -350,6 +350,7 @@ struct TrunkSettings {
   static constexpr const char* kMeaning = "How the trunk is kept upright and along the path.";
 
   double kp = kNaN, kd = kNaN;
+  bool yields = true;
 
   template <class Self, class Visitor>
   static void rows(Self& g, Visitor&& v) {
@@ -357,6 +358,9 @@ struct TrunkSettings {
       "Stiffness of the trunk's orientation: angular acceleration per angle of error.");
     v(g.kd, "kd", "trunk_kd", "1/s", must_be::kNotNegative, {35.0, of::kDamping},
       "Damping of the trunk's orientation: angular acceleration per error of angular velocity.");
+    v(g.yields, "yields", "trunk_yields", "", must_be::kAnything, {},
+      "Whether the trunk of a robot that has been pushed comes back upright slowly. A trunk that is held stiffly takes "
+      "the ZMP away from where it would hold the DCM (COM + T_c times its velocity), and turns the standing foot.");
   }
 };
 

@@ -136,6 +136,8 @@ class WalkingController {
   void cycle(const State& state);
   void follow_pendulum();  // gait and reference take that of the COM's height and of the known forces
   void command_tasks(const Cycle& cycle);
+  // A robot that has been pushed does not hold its trunk upright at once: that would take the ZMP that holds the DCM.
+  void soften_trunk(double urgency);
   void decide_reference(const Cycle& cycle);
   // That of the ground and of known forces on the robot, W [N].
   Vec2 horizontal_force(const Dynamics& dyn, const std::array<bool, 2>& standing) const;
@@ -170,7 +172,7 @@ class WalkingController {
   GaitInput start_;
   Vec2 com_des_ = Vec2::Zero(), dcom_des_ = Vec2::Zero();  // previous desired state, W
   Vec2 dcom_expected_ = Vec2::Constant(kNaN);  // what the torque of the last cycle makes of the COM's velocity, W
-  State state_;                                            // of this instant
+  State state_;                                // of this instant
   // What this cycle asks of the whole body, and what comes of it.
   Stance stance_;
   TaskAccelerations f_star_;
