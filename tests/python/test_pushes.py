@@ -30,7 +30,7 @@ def survivor():
 
 @pytest.fixture(scope="module")
 def fallen():
-    return pushed(0.6)
+    return pushed(1.0)
 
 
 # ---- the push
