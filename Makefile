@@ -13,7 +13,7 @@ DEMO_OUT ?= out/demo
 SANITIZE ?= address,undefined
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: help demo test pytest ctest sanitize bench ladder pushes instructions same native peers wheel wheel-check sdist stubs columns format lint check-all clean
+.PHONY: help demo test pytest ctest sanitize bench ladder pushes instructions same native peers wheel wheel-check adapters matrix sdist stubs columns format lint check-all clean
 
 help:
 	@echo 'make demo         walk the paper'\''s experiment; figures, trace and summary go to $(DEMO_OUT)'
@@ -26,6 +26,7 @@ help:
 	@echo 'make instructions instructions of a cycle against the record (needs valgrind);  make native  against -march=native'
 	@echo 'make same         whether the working tree walks bit for bit as BASE does (BASE=HEAD~3; without it, HEAD)'
 	@echo 'make wheel        dist/*.whl;  make wheel-check  install it into an empty environment and walk;  make sdist'
+	@echo 'make adapters     an adapter to every MuJoCo, for make wheel ADAPTERS=all;  make matrix  walks under many of them'
 	@echo 'make format       clang-format, ruff, gersemi, nbstripout;  make lint  the same as a check, and mypy'
 	@echo 'make stubs        python/zmpwalk/_core.pyi from the built module, and `make columns`'
 	@echo 'make columns      docs/columns.md and python/zmpwalk/_columns.py from the table of recorded columns'
@@ -100,13 +101,13 @@ define install_requirements
 endef
 
 $(B)/base.stamp: $(B)/venv.stamp pyproject.toml
-	$(call install_requirements,build)
+	$(call install_requirements,reference build)
 
 $(B)/test.stamp: $(B)/base.stamp
-	$(call install_requirements,test)
+	$(call install_requirements,reference test)
 
 $(B)/dev.stamp: $(B)/test.stamp
-	$(call install_requirements,test lint)
+	$(call install_requirements,reference test lint)
 
 # Not editable: the tests meet what a user gets, so that a file missing from the package fails here. The build folder is
 # kept, so that only what changed is compiled.
@@ -189,15 +190,26 @@ native: $(B)/base.stamp
 	@$(PY) benchmarks/native.py $(B)/cycle/cycle $(B)/cycle-native/cycle
 
 # ---- packages
-wheel: $(B)/venv.stamp
+# With ADAPTERS=all the wheel serves every MuJoCo that cpp/adapter/layouts.py knows, else the one of this environment.
+ADAPTERS ?=
+ALL_ADAPTERS := $(filter all,$(ADAPTERS))
+wheel: $(B)/base.stamp $(if $(ALL_ADAPTERS),adapters)
 	@rm -rf $(B)/wheel
-	@$(PIP) wheel --no-deps --wheel-dir $(B)/wheel . $(call QUIETLY,wheel)
+	@$(PIP) wheel --no-deps --wheel-dir $(B)/wheel $(if $(ALL_ADAPTERS),-Ccmake.define.ZMPWALK_ADAPTERS=$(CURDIR)/build/adapters) . \
+		$(call QUIETLY,wheel)
 	@mkdir -p dist && cp $(B)/wheel/*.whl dist/ && ls $(B)/wheel/*.whl | sed 's,.*/,dist/,'
+
+adapters: $(B)/venv.stamp
+	@$(PY) cpp/adapter/layouts.py build/mujoco --adapters build/adapters
+
+matrix:
+	@$(AGAIN) wheel ADAPTERS=all
+	@$(PY) benchmarks/mujoco_matrix.py $(B)/wheel/*.whl $(MATRIX_ARGS)
 
 wheel-check: wheel
 	@if $(PY) -m zipfile -l $(B)/wheel/*.whl | grep libmujoco; then echo 'the wheel holds libmujoco' >&2; exit 1; fi
 	@'$(INTERPRETER)' -m venv --clear $(B)/empty
-	@$(B)/empty/bin/python -m pip --disable-pip-version-check -q install $(B)/wheel/*.whl $(call QUIETLY,wheel-check)
+	@$(B)/empty/bin/python -m pip --disable-pip-version-check -q install "$$(ls $(B)/wheel/*.whl)[reference]" $(call QUIETLY,wheel-check)
 	@cd $(B) && MPLBACKEND=Agg empty/bin/zmpwalk walk --duration 2 --out wheel-check
 	@echo 'the wheel walks in an empty environment'
 

@@ -1,6 +1,7 @@
 // The control cycle and a plan alone, for tools that want a program: callgrind counts their instructions
 // (benchmarks/instructions.py), and two builds of the cycle are timed against each other (benchmarks/native.py).
 
+#include <dlfcn.h>
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
@@ -16,7 +17,7 @@ using namespace zmpwalk;
 namespace {
 
 /// Callgrind collects inside the functions whose names begin with `counted`: --toggle-collect=*counted_*.
-__attribute__((noinline)) void counted_update(WalkingController& controller, mjData* d, Terms terms) {
+__attribute__((noinline)) void counted_update(WalkingController& controller, const Data& d, Terms terms) {
   controller.update(d, terms);
 }
 
@@ -31,34 +32,33 @@ WalkSettings with_kernel(const std::string& name) {
 }
 
 /// One whole step of the paper's walk, [1.6, 2.4) s; its cycles of one phase are counted. Prints how many there were.
-int count(const mjModel* m, Phase phase, Terms terms, const std::string& kernel) {
+int count(const Model& m, Phase phase, Terms terms, const std::string& kernel) {
   const RobotDescription description = describe(m);
   WalkingController controller(m, description, with_kernel(kernel));
-  MjDataPtr data(mj_makeData(m));
-  mjData* d = data.get();
+  const OwnData d(m);
   description.place(m, d);
   controller.reset(d);
   const WalkSettings& used = controller.settings();
   Schedule schedule(used.gait.T_ds_first, used.gait.T_ds,
                     used.gait.T_ss);  // as it is in this walk, whose steps are all slow
   int cycles = 0;
-  while (d->time < 2.4) {
-    mj_step1(m, d);
-    if (schedule.landed(d->time)) schedule.next(schedule.times());
-    if (d->time >= 1.6 && schedule.at(d->time).phase == phase) {
+  while (*d.time < 2.4) {
+    mj::step1(m, d);
+    if (schedule.landed(*d.time)) schedule.next(schedule.times());
+    if (*d.time >= 1.6 && schedule.at(*d.time).phase == phase) {
       counted_update(controller, d, terms);
       ++cycles;
     } else {
       controller.update(d, terms);
     }
-    mj_step2(m, d);
+    mj::step2(m, d);
   }
   std::printf("%d\n", cycles);
   return 0;
 }
 
 /// The plan that `make bench` times: 3.2 s of footsteps, COM and ZMP of the paper's walk, every 10 ms. Prints that it was one.
-int count_plan(const mjModel* m, const std::string& kernel) {
+int count_plan(const Model& m, const std::string& kernel) {
   const WalkingController controller(m, describe(m), with_kernel(kernel));
   if (counted_plan(controller) == 0) return 2;
   std::printf("1\n");
@@ -66,7 +66,7 @@ int count_plan(const mjModel* m, const std::string& kernel) {
 }
 
 /// Prints min and median of the whole cycle, in the loop and from scratch [us].
-int time(const mjModel* m, double duration) {
+int time(const Model& m, double duration) {
   CycleBenchmark benchmark(m, describe(m), WalkSettings(), VelocityProfile::paper());
   for (Column& column : benchmark.run(duration, 0)) {
     if (column.name != "in_loop" && column.name != "from_scratch") continue;
@@ -87,6 +87,7 @@ int main(int argc, char** argv) {
                  "       cycle MJCF plan KERNEL\n");
     return 2;
   }
+  connect(zmpwalk_adapter_of, RTLD_DEFAULT);
   char error[1000] = "";
   mjModel* m = mj_loadXML(argv[1], nullptr, error, sizeof error);
   if (!m) {

@@ -36,7 +36,7 @@ void bind_benchmark(py::module_& m) {
          const VelocityProfile& profile, double duration, const py::object& on_progress) {
         std::vector<Column> columns;
         PythonProgress progress(on_progress, duration);
-        const mjModel* walked = model_of(model);
+        const Model walked = model_of(model);
         {
           py::gil_scoped_release unlocked;
           columns = benchmark_walk(walked, description, settings, profile, duration, std::ref(progress));

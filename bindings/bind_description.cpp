@@ -71,13 +71,13 @@ void bind_description(py::module_& m) {
       .def(
           "drives",
           [](const RobotDescription& d, const py::object& model) {
-            const mjModel* mujoco = model_of(model);
+            const Model mujoco = model_of(model);
             d.check(mujoco);
-            const std::vector<int> joints = tree_joints(mujoco, mujoco->jnt_bodyid[d.free_joint(mujoco)]);
+            const std::vector<int> joints = tree_joints(mujoco, mujoco.jnt_bodyid[d.free_joint(mujoco)]);
             const Actuation actuation(mujoco, joints, d.torque_limits);
             py::dict out;
             for (std::size_t j = 0; j < joints.size(); ++j)
-              out[py::str(object_name(mujoco, mjOBJ_JOINT, joints[j]))] =
+              out[py::str(object_name(mujoco, mj::kJoint, joints[j]))] =
                   py::make_tuple(actuation.drives()[j].limit, actuation.drives()[j].path);
             return out;
           },
@@ -117,7 +117,7 @@ void bind_description(py::module_& m) {
   m.def(
       "model_reasons",
       [](const py::object& model, const std::optional<RobotDescription>& description) {
-        const mjModel* of = model_of(model);
+        const Model of = model_of(model);
         return pairs(description ? model_reasons(of, *description) : model_reasons(of));
       },
       "model"_a, "description"_a = std::nullopt,
@@ -127,7 +127,9 @@ void bind_description(py::module_& m) {
   m.def(
       "model_reasons",
       [](const py::object& model, const RobotParts& robot, const py::object& upright) {
-        return pairs(model_reasons(model_of(model), robot, upright.is_none() ? nullptr : data_of(upright)));
+        std::optional<Data> level;
+        if (!upright.is_none()) level = data_of(upright);
+        return pairs(model_reasons(model_of(model), robot, level));
       },
       "model"_a, "robot"_a, "upright"_a = py::none(),
       "The same for a robot that has no description yet.\n\n"

@@ -91,7 +91,7 @@ void bind_dynamics(py::module_& m) {
       .def(
           "read",
           [](PyRobot& r, const py::object& data) {
-            const mjData* d = data_of(data);
+            const Data d = data_of(data);
             r.robot.require_data(d);
             if (!r.robot.is_finite(d)) throw InputError("data holds a position or velocity that is not finite");
             r.robot.read(d);

@@ -1,6 +1,5 @@
 #include "common.hpp"
 #include "zmpwalk/control/kernel_choice.hpp"
-#include "zmpwalk/robot/mujoco_compat.hpp"
 
 using namespace zmpwalk;
 
@@ -12,7 +11,7 @@ void bind_kernel(py::module_& m) {
         for (const Kernel* each : kernels()) names.append(each->name);
         py::dict out;
         out["version"] = ZMPWALK_VERSION;
-        out["mujoco"] = mujoco_compat::compiled_version();
+        out["mujoco"] = py::module_::import("zmpwalk._core").attr("mujoco_version")();
         out["compiler"] =
 #ifdef __clang__
             "Clang " __clang_version__;
@@ -24,7 +23,7 @@ void bind_kernel(py::module_& m) {
         return out;
       },
       "How this copy was built, and what it runs here.\n\n"
-      "Returns:\n    dict: version, mujoco (compiled against), compiler, kernels (builds of the inner loops that this "
+      "Returns:\n    dict: version, mujoco (connected with), compiler, kernels (builds of the inner loops that this "
       "processor runs),\n    kernel (the one that 'auto' takes).\n\n"
       "Usage:\n    >>> zmpwalk.build_info()['kernel']");
 }

@@ -4,7 +4,7 @@
 
 #include "common.hpp"
 #include "zmpwalk/robot/contact_forces.hpp"
-#include "zmpwalk/robot/mujoco_compat.hpp"
+#include "zmpwalk/robot/words.hpp"
 #include "zmpwalk/simulation.hpp"
 
 using namespace zmpwalk;
@@ -99,7 +99,9 @@ py::tuple run(Simulation& simulation, WalkingController& controller, double dura
 /// A simulation that keeps the controller it steps, as Python sees it.
 struct PySimulation : Simulation {
   PySimulation(WalkingController& c, const Uncertainty& uncertainty, const py::object& model)
-      : Simulation(c, uncertainty, model.is_none() ? nullptr : model_of(model)), controller(c), simulated(model) {}
+      : Simulation(c, uncertainty, model.is_none() ? std::nullopt : std::optional<Model>(model_of(model))),
+        controller(c),
+        simulated(model) {}
   WalkingController& controller;
   py::object simulated;
 };
@@ -203,7 +205,7 @@ void bind_simulation(py::module_& m) {
           "lies on the ground.\n\n"
           "Returns:\n    (columns, info) of this stretch.\n\nRaises:\n    InputError; whatever a callback raises; "
           "KeyboardInterrupt.")
-      .def_property_readonly("time", [](PySimulation& s) { return s.data()->time; }, "Simulated time [s].");
+      .def_property_readonly("time", [](PySimulation& s) { return *s.data().time; }, "Simulated time [s].");
   m.def(
       "simulate",
       [](WalkingController& controller, double duration, const py::object& on_progress, const py::object& command,
@@ -217,8 +219,7 @@ void bind_simulation(py::module_& m) {
   m.def(
       "trunk_body",
       [](const WalkingController& controller) {
-        const mjModel* model = controller.robot().model();
-        return std::string(model->names + model->name_bodyadr[trunk_body(controller.robot())]);
+        return object_name(controller.robot().model(), mj::kBody, trunk_body(controller.robot()));
       },
       "controller"_a, "Name of the body that a push is given to where none is named.");
   m.def(
@@ -234,5 +235,4 @@ void bind_simulation(py::module_& m) {
       "After mj_step it belongs to the state before it.\n\nArgs:\n    plane: Plane that it is taken on. None: the "
       "level "
       "plane at the height of the soles, weighted by their loads.");
-  m.def("mujoco_version", &mujoco_compat::compiled_version, "MuJoCo version this module was compiled against.");
 }

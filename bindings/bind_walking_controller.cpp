@@ -58,7 +58,7 @@ void bind_walking_controller(py::module_& m) {
       .def(
           "state",
           [](const WalkingController& c, const py::object& data) {
-            const mjData* d = data_of(data);
+            const Data d = data_of(data);
             c.robot().require_data(d);
             PyState state(c.robot().nv());
             c.robot().observe(d, state);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <mujoco/mujoco.h>
 #include <pybind11/eigen.h>
 #include <pybind11/functional.h>
 #include <pybind11/numpy.h>
@@ -10,6 +9,7 @@
 #include <string>
 
 #include "zmpwalk/math/error.hpp"
+#include "zmpwalk/robot/mujoco.hpp"
 #include "zmpwalk/simulation/recorder.hpp"
 
 namespace py = pybind11;
@@ -20,8 +20,8 @@ using namespace pybind11::literals;
 zmpwalk::Side side_of(const std::string& support);
 
 // MuJoCo's Python objects give their C pointer as `_address`.
-const mjModel* model_of(const py::object& model);
-mjData* data_of(const py::object& data);
+zmpwalk::Model model_of(const py::object& model);
+zmpwalk::Data data_of(const py::object& data);
 /// Joint name -> how its torque reaches MuJoCo.
 py::dict torque_path(const zmpwalk::Robot& robot);
 
@@ -46,6 +46,7 @@ class PythonProgress {
 };
 
 void bind_errors(py::module_& m);
+void bind_mujoco(py::module_& m);
 void bind_settings(py::module_& m);
 void bind_velocity_profile(py::module_& m);
 void bind_joint_motion(py::module_& m);

@@ -3,6 +3,7 @@
 PYBIND11_MODULE(_core, m) {
   m.doc() = "zmpwalk's C++ core: contact-consistent control, ZMP estimate, gait, and the walking loop.";
   bind_errors(m);
+  bind_mujoco(m);
   bind_settings(m);
   bind_velocity_profile(m);
   bind_description(m);

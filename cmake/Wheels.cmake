@@ -1,6 +1,6 @@
 # Targets for what comes from wheels: mujoco::mujoco, Eigen3::Eigen and, when that wheel is there, boost_headers.
 # The Python interpreter is asked, at every configure, so that headers and library are those of the mujoco package
-# this very Python imports.
+# that this very Python imports.
 
 execute_process(
   COMMAND "${Python_EXECUTABLE}" "${CMAKE_CURRENT_LIST_DIR}/wheels.py"
@@ -18,7 +18,7 @@ foreach(line IN LISTS wheels)
 endforeach()
 
 if(NOT MUJOCO_DIR)
-  message(FATAL_ERROR "no libmujoco for ${Python_EXECUTABLE}: pip install the mujoco version that pyproject.toml pins")
+  message(FATAL_ERROR "no libmujoco for ${Python_EXECUTABLE}: pip install mujoco")
 endif()
 if(NOT EIGEN_INCLUDE_DIR)
   message(FATAL_ERROR "no Eigen headers for ${Python_EXECUTABLE}: pip install cmeel-eigen")
@@ -26,11 +26,11 @@ endif()
 message(STATUS "MuJoCo ${MUJOCO_VERSION}: ${MUJOCO_DIR}")
 message(STATUS "Eigen: ${EIGEN_INCLUDE_DIR}")
 
+add_library(mujoco::headers INTERFACE IMPORTED)
+set_target_properties(mujoco::headers PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${MUJOCO_DIR}/include")
 add_library(mujoco::mujoco SHARED IMPORTED)
-set_target_properties(
-  mujoco::mujoco
-  PROPERTIES IMPORTED_LOCATION "${MUJOCO_DIR}/${MUJOCO_LIBRARY}" INTERFACE_INCLUDE_DIRECTORIES "${MUJOCO_DIR}/include"
-)
+set_target_properties(mujoco::mujoco PROPERTIES IMPORTED_LOCATION "${MUJOCO_DIR}/${MUJOCO_LIBRARY}")
+target_link_libraries(mujoco::mujoco INTERFACE mujoco::headers)
 
 add_library(Eigen3::Eigen INTERFACE IMPORTED)
 set_target_properties(Eigen3::Eigen PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${EIGEN_INCLUDE_DIR}")

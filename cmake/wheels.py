@@ -6,6 +6,7 @@ Nothing is imported: a package is only located, so this works in the isolated en
 import importlib.util
 import re
 import sys
+import sysconfig
 from pathlib import Path
 
 
@@ -19,9 +20,13 @@ def cmeel_include(folder: str, probe: str) -> str:
 
 
 def mujoco_library() -> "tuple[str, str, str]":
-    """Folder of the mujoco package, file name of its versioned library, and that version."""
+    """Folder of the mujoco package, file name of its versioned library, and that version.
+
+    The package of the environment that is built for comes first: an isolated build hides it from import.
+    """
     spec = importlib.util.find_spec("mujoco")
-    for folder in (spec.submodule_search_locations or []) if spec else []:
+    folders = [sysconfig.get_path("platlib") + "/mujoco", *((spec.submodule_search_locations or []) if spec else [])]
+    for folder in folders:
         for library in sorted(Path(folder).glob("libmujoco.*")):
             version = re.search(r"\d+(\.\d+)+", library.name)
             if version:

@@ -1,7 +1,5 @@
 #include "zmpwalk/benchmark.hpp"
 
-#include <mujoco/mujoco.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -28,8 +26,8 @@ WholeBodyOptions options_of(const WalkingController& controller, bool textbook) 
 }
 
 /// A walk is timed in parts of a step, or beside a loop of whole ones.
-void require_halves(const mjModel* model) {
-  if (model->opt.integrator == mjINT_RK4)
+void require_halves(const Model& model) {
+  if (*model.integrator == mj::kRungeKutta)
     throw InputError("the model integrates by Runge-Kutta (RK4), whose step MuJoCo cannot part; use Euler or implicit");
 }
 
@@ -43,36 +41,35 @@ struct Commands {
   int nu, nv;
   std::vector<double> ctrl, applied;
 
-  void take(const mjData* d) {
-    ctrl.insert(ctrl.end(), d->ctrl, d->ctrl + nu);
-    applied.insert(applied.end(), d->qfrc_applied, d->qfrc_applied + nv);
+  void take(const Data& d) {
+    ctrl.insert(ctrl.end(), d.ctrl, d.ctrl + nu);
+    applied.insert(applied.end(), d.qfrc_applied, d.qfrc_applied + nv);
   }
   std::size_t steps() const { return applied.size() / static_cast<std::size_t>(nv); }
-  void give(std::size_t step, mjData* d) const {
-    std::copy_n(ctrl.begin() + static_cast<long>(step) * nu, nu, d->ctrl);
-    std::copy_n(applied.begin() + static_cast<long>(step) * nv, nv, d->qfrc_applied);
+  void give(std::size_t step, const Data& d) const {
+    std::copy_n(ctrl.begin() + static_cast<long>(step) * nu, nu, d.ctrl);
+    std::copy_n(applied.begin() + static_cast<long>(step) * nv, nv, d.qfrc_applied);
   }
 };
 
 Commands commands_of(WalkingController& controller, double duration) {
-  const mjModel* m = controller.robot().model();
-  const MjDataPtr data(mj_makeData(m));
-  mjData* d = data.get();
+  const Model& m = controller.robot().model();
+  const OwnData d(m);
   controller.robot().description().place(m, d);
   controller.reset(d);
-  Commands out{static_cast<int>(m->nu), static_cast<int>(m->nv), {}, {}};
-  while (d->time < duration && controller.output().fell == Fall::kNone) {
-    mj_step1(m, d);
+  Commands out{static_cast<int>(m.nu), static_cast<int>(m.nv), {}, {}};
+  while (*d.time < duration && controller.output().fell == Fall::kNone) {
+    mj::step1(m, d);
     controller.update(d, Terms::kInData);
     out.take(d);
-    mj_step2(m, d);
+    mj::step2(m, d);
   }
   return out;
 }
 
 }  // namespace
 
-CycleBenchmark::CycleBenchmark(const mjModel* model, const RobotDescription& description, const WalkSettings& settings,
+CycleBenchmark::CycleBenchmark(const Model& model, const RobotDescription& description, const WalkSettings& settings,
                                const VelocityProfile& profile)
     : controller_(model, description, settings, profile),
       from_state_(model, description, settings, profile),
@@ -80,16 +77,16 @@ CycleBenchmark::CycleBenchmark(const mjModel* model, const RobotDescription& des
       robot_from_state_(model, description),
       direct_(robot_.nv(), robot_.leg_joints(), options_of(controller_, false)),
       textbook_(robot_.nv(), robot_.leg_joints(), options_of(controller_, true)),
-      data_(mj_makeData(model)) {
+      data_(model) {
   require_halves(model);
-  description.place(model, data_.get());
+  description.place(model, data_);
 }
 
 std::vector<Column> CycleBenchmark::run(double duration, int textbook_every,
                                         const std::function<bool(double)>& progress) {
   require_positive("duration", duration);
-  const mjModel* m = robot_.model();
-  mjData* d = data_.get();
+  const Model& m = robot_.model();
+  const Data& d = data_;
   std::vector<Column> columns;
   for (const char* name : {"phase", "in_loop", "from_scratch", "step", "terms", "terms_from_scratch", "algebra",
                            "iteration", "other", "textbook", "difference"})
@@ -97,12 +94,12 @@ std::vector<Column> CycleBenchmark::run(double duration, int textbook_every,
   controller_.reset(d);
   from_state_.reset(d);
   WholeBodyResult fast = direct_.result(), printed = textbook_.result();
-  const double t_end = d->time + duration;
+  const double t_end = *d.time + duration;
   auto reported = Clock::now();
-  for (long k = 0; d->time + 0.5 * m->opt.timestep < t_end; ++k) {
+  for (long k = 0; *d.time + 0.5 * *m.timestep < t_end; ++k) {
     const double from_scratch = microseconds([&] { from_state_.update(d); });
     const double terms_from_scratch = microseconds([&] { robot_from_state_.read(d); });
-    double step = microseconds([&] { mj_step1(m, d); });
+    double step = microseconds([&] { mj::step1(m, d); });
     const double terms = microseconds([&] { robot_.read_computed(d); });
     const double in_loop = microseconds([&] { controller_.update(d, Terms::kInData); });
     const CycleOutput& out = controller_.output();
@@ -134,7 +131,7 @@ std::vector<Column> CycleBenchmark::run(double duration, int textbook_every,
         if (controller_.stance().standing[side])
           difference = std::max(difference, relative(fast.f_c.segment<6>(6 * side), printed.f_c.segment<6>(6 * side)));
     }
-    step += microseconds([&] { mj_step2(m, d); });
+    step += microseconds([&] { mj::step2(m, d); });
     if (out.fresh) {
       const double row[] = {
           double(out.phase),         in_loop,  from_scratch, step, terms, terms_from_scratch, algebra, iteration,
@@ -144,12 +141,12 @@ std::vector<Column> CycleBenchmark::run(double duration, int textbook_every,
     if (out.fell != Fall::kNone) break;
     if (!progress || Clock::now() - reported < std::chrono::milliseconds(50)) continue;
     reported = Clock::now();
-    if (!progress(d->time)) break;
+    if (!progress(*d.time)) break;
   }
   return columns;
 }
 
-std::vector<Column> benchmark_walk(const mjModel* model, const RobotDescription& description,
+std::vector<Column> benchmark_walk(const Model& model, const RobotDescription& description,
                                    const WalkSettings& settings, const VelocityProfile& profile, double duration,
                                    const std::function<bool(double)>& progress) {
   require_positive("duration", duration);
@@ -158,27 +155,26 @@ std::vector<Column> benchmark_walk(const mjModel* model, const RobotDescription&
   const Commands commands = commands_of(controller, duration);
   Simulation simulation(controller);
   Recorder recorder(controller, duration);
-  const mjData* walking = simulation.data();
-  const MjDataPtr data(mj_makeData(model));
-  mjData* d = data.get();
+  const Data& walking = simulation.data();
+  const OwnData d(model);
   description.place(model, d);
   std::vector<Column> columns{{"walk", 1, {}}, {"bare", 1, {}}, {"difference", 1, {}}};
   std::size_t done = 0;
   Clock::time_point start;
   const auto after_piece = [&](const CycleOutput&) {
     const double walked = std::chrono::duration<double, std::micro>(Clock::now() - start).count();
-    const auto steps = static_cast<std::size_t>(std::lround((walking->time - d->time) / model->opt.timestep));
+    const auto steps = static_cast<std::size_t>(std::lround((*walking.time - *d.time) / *model.timestep));
     const std::size_t end = std::min(done + steps, commands.steps());
     const double bare = microseconds([&] {
       for (; done < end; ++done) {
         commands.give(done, d);
-        mj_step(model, d);
+        mj::step(model, d);
       }
     });
     if (steps > 0) {
       const double count = static_cast<double>(steps);
       // Velocities are compared: the walk is half way into its next step, where MuJoCo has normalised the quaternions of qpos.
-      const Eigen::Map<const VecX> qvel(walking->qvel, model->nv), of_bare(d->qvel, model->nv);
+      const Eigen::Map<const VecX> qvel(walking.qvel, model.nv), of_bare(d.qvel, model.nv);
       columns[0].values.push_back(walked / count);
       columns[1].values.push_back(bare / count);
       columns[2].values.push_back((qvel - of_bare).cwiseAbs().maxCoeff());

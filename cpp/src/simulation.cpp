@@ -1,7 +1,5 @@
 #include "zmpwalk/simulation.hpp"
 
-#include <mujoco/mujoco.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -10,7 +8,7 @@
 #include "zmpwalk/math/error.hpp"
 #include "zmpwalk/robot/actuation.hpp"
 #include "zmpwalk/robot/contact_forces.hpp"
-#include "zmpwalk/robot/mujoco_compat.hpp"
+#include "zmpwalk/robot/mujoco.hpp"
 #include "zmpwalk/robot/words.hpp"
 
 namespace zmpwalk {
@@ -29,24 +27,19 @@ constexpr double kTouchDepth = 0.002;
 /// A COM lower than this over the lower sole, as a share of its height at the start, is that of a robot that lies.
 constexpr double kLyingHeight = 0.3;
 
-/// MuJoCo warns and resets itself where a state is not finite or far too large.
-bool diverged(const mjData* d) {
-  return d->warning[mjWARN_BADQPOS].number + d->warning[mjWARN_BADQVEL].number + d->warning[mjWARN_BADQACC].number > 0;
-}
-
 /// Of the COM over the lower sole [m].
-double com_height(const Robot& robot, const mjData* d) {
-  return d->subtree_com[3 * robot.root_body() + 2] -
+double com_height(const Robot& robot, const Data& d) {
+  return d.subtree_com[3 * robot.root_body() + 2] -
          std::min(robot.sole_centre(kLeft, d).z(), robot.sole_centre(kRight, d).z());
 }
 
 /// The robot in `simulated`, if there is one: what the controller drives must be there, in the order in which it drives it.
-std::unique_ptr<Robot> another_robot(const Robot& known, const mjModel* simulated) {
+std::unique_ptr<Robot> another_robot(const Robot& known, const std::optional<Model>& simulated) {
   if (!simulated) return nullptr;
-  known.description().check(simulated);
-  const int root = simulated->jnt_bodyid[known.description().free_joint(simulated)];
+  known.description().check(*simulated);
+  const int root = simulated->jnt_bodyid[known.description().free_joint(*simulated)];
   std::vector<std::string> names;
-  for (const int joint : tree_joints(simulated, root)) names.push_back(object_name(simulated, mjOBJ_JOINT, joint));
+  for (const int joint : tree_joints(*simulated, root)) names.push_back(object_name(*simulated, mj::kJoint, joint));
   const std::vector<std::string>& want = known.joint_names();
   if (names.size() != want.size())
     throw ModelError("the simulated robot has " + std::to_string(names.size()) + " joints, the controller's has " +
@@ -55,38 +48,39 @@ std::unique_ptr<Robot> another_robot(const Robot& known, const mjModel* simulate
     if (names[j] != want[j])
       throw ModelError("joint " + std::to_string(j) + " of the simulated robot is '" + names[j] +
                        "', of the controller's '" + want[j] + "': they must have the same joints in the same order");
-  return std::make_unique<Robot>(simulated, known.description());
+  return std::make_unique<Robot>(*simulated, known.description());
 }
 
 }  // namespace
 
-Simulation::Simulation(WalkingController& controller, const Uncertainty& uncertainty, const mjModel* simulated)
+Simulation::Simulation(WalkingController& controller, const Uncertainty& uncertainty,
+                       const std::optional<Model>& simulated)
     : controller_(controller),
       apart_(another_robot(controller.robot(), simulated)),
-      data_(mj_makeData(robot().model())),
+      data_(robot().model()),
       pushes_(robot()),
       direct_(!apart_ && uncertainty.none()),
       sensors_(uncertainty, robot().nv(), robot().timestep()),
       drives_(uncertainty, robot().joints(), robot().timestep()),
       truth_(robot().nv()),
       told_(robot().nv()) {
-  const mjModel* m = robot().model();
+  const Model& m = robot().model();
   const RobotDescription& description = robot().description();
-  description.place(m, data_.get(), -kTouchDepth);
-  const MeasuredContact contact = measure_contact(robot(), data_.get());
+  description.place(m, data_, -kTouchDepth);
+  const MeasuredContact contact = measure_contact(robot(), data_);
   for (const Side side : kSides)
     if (std::isnan(contact.wrench[6 * side]))
       throw ModelError("at the start pose the foot '" + description.feet[side].body +
                        "' touches nothing: the model needs a floor at z = 0 that its feet collide with");
-  mj_resetData(m, data_.get());
-  description.place(m, data_.get());
-  start_height_ = com_height(robot(), data_.get());
+  mj::reset_data(m, data_);
+  description.place(m, data_);
+  start_height_ = com_height(robot(), data_);
 }
 
 Simulation::~Simulation() = default;
 
 const CycleOutput& Simulation::control(Terms terms) {
-  mjData* d = data_.get();
+  const Data& d = data_;
   if (direct_) return controller_.update(d, terms, felt_);
   told_ = sensors_.measure(truth_);
   robot().observe(d, truth_);  // once more for the record: MuJoCo has normalized its quaternion
@@ -97,16 +91,16 @@ const CycleOutput& Simulation::control(Terms terms) {
 }
 
 Fall Simulation::lies() const {
-  const mjModel* m = robot().model();
-  const mjData* d = data_.get();
+  const Model& m = robot().model();
+  const Data& d = data_;
   if (com_height(robot(), d) < kLyingHeight * start_height_) return Fall::kDown;
-  for (int i = 0; i < d->ncon; ++i) {
-    const mujoco_compat::ContactPair pair = mujoco_compat::contact_pair(d->contact[i]);
-    if (pair.first < 0 || pair.second < 0) continue;  // not between two geoms
-    const int body_1 = m->geom_bodyid[pair.first], body_2 = m->geom_bodyid[pair.second];
+  for (int i = 0; i < *d.ncon; ++i) {
+    const zmpwalk_contact contact = mj::contact(d, i);
+    if (contact.geom[0] < 0 || contact.geom[1] < 0) continue;  // not between two geoms
+    const int body_1 = m.geom_bodyid[contact.geom[0]], body_2 = m.geom_bodyid[contact.geom[1]];
     const bool is_first = robot().is_robot(body_1);
     const int own = is_first ? body_1 : body_2, other = is_first ? body_2 : body_1;
-    if (robot().is_robot(own) && m->body_weldid[other] == 0 && !robot().is_leg(own)) return Fall::kDown;
+    if (robot().is_robot(own) && m.body_weldid[other] == 0 && !robot().is_leg(own)) return Fall::kDown;
   }
   return Fall::kNone;
 }
@@ -115,32 +109,32 @@ RunResult Simulation::run(double duration, Recorder& recorder, const std::functi
                           double progress_interval, const std::function<bool(const CycleOutput&)>& after_cycle,
                           double cycle_interval, OnFall on_fall) {
   require_positive("duration", duration);
-  const mjModel* m = robot().model();
-  mjData* d = data_.get();
+  const Model& m = robot().model();
+  const Data& d = data_;
   if (!started_) {
     robot().observe(d, truth_);
     controller_.reset(truth_);
   }
   started_ = true;
-  const double t_end = d->time + duration, dt = m->opt.timestep;
-  const bool in_two = m->opt.integrator != mjINT_RK4;  // MuJoCo cannot part a Runge-Kutta step
+  const double t_end = *d.time + duration, dt = *m.timestep;
+  const bool in_two = *m.integrator != mj::kRungeKutta;  // MuJoCo cannot part a Runge-Kutta step
   RunResult result;
   result.cycle_us.reserve(rows_within(duration, controller_.settings().control.dt));
   const long every = std::max(1L, std::lround(cycle_interval / controller_.settings().control.dt));
   long cycle = 0;
   const auto start = std::chrono::steady_clock::now();
   double reported = 0.0;
-  while (d->time + 0.5 * dt < t_end) {
-    if (!robot().is_finite(d) || diverged(d)) {
+  while (*d.time + 0.5 * dt < t_end) {
+    if (!robot().is_finite(d) || mj::diverged(d)) {
       result.fell = Fall::kNonFinite;
       break;
     }
-    const double t = d->time;
+    const double t = *d.time;
     pushes_.apply(t, d);
     if (!direct_) robot().observe(d, truth_);
-    if (in_two) mj_step1(m, d);
-    if (diverged(d)) {  // MuJoCo has reset itself, and with it the clock: what it holds now is no state of the walk
-      d->time = t;
+    if (in_two) mj::step1(m, d);
+    if (mj::diverged(d)) {  // MuJoCo has reset itself, and with it the clock: what it holds now is no state of the walk
+      *d.time = t;
       result.fell = Fall::kNonFinite;
       break;
     }
@@ -149,10 +143,10 @@ RunResult Simulation::run(double duration, Recorder& recorder, const std::functi
     if (out.fresh) result.cycle_us.push_back(1e6 * seconds_since(before));
     if (after_cycle && out.fresh && cycle++ % every == 0 && !after_cycle(out)) result.stopped = true;
     if (in_two)
-      mj_step2(m, d);
+      mj::step2(m, d);
     else
-      mj_step(m, d);
-    if (diverged(d)) d->time = t + dt;
+      mj::step(m, d);
+    if (mj::diverged(d)) *d.time = t + dt;
     if (direct_)
       recorder.add(out, d);
     else
@@ -165,7 +159,7 @@ RunResult Simulation::run(double duration, Recorder& recorder, const std::functi
     const Fall alarm = out.fell != Fall::kNone ? out.fell : airborne_ > kLongestFlight ? Fall::kNoContact : Fall::kNone;
     if (result.alarm == Fall::kNone && alarm != Fall::kNone) {
       result.alarm = alarm;
-      result.alarm_time = d->time;
+      result.alarm_time = *d.time;
     }
     result.fell = on_fall == OnFall::kStop || alarm == Fall::kNonFinite ? alarm : lies();
     if (result.fell != Fall::kNone || result.stopped) break;
@@ -173,13 +167,13 @@ RunResult Simulation::run(double duration, Recorder& recorder, const std::functi
     const double wall = seconds_since(start);
     if (wall - reported < progress_interval) continue;
     reported = wall;
-    if (!progress(d->time)) {
+    if (!progress(*d.time)) {
       result.stopped = true;
       break;
     }
   }
   if (result.fell != Fall::kNone) {
-    result.fall_time = d->time;
+    result.fall_time = *d.time;
     recorder.mark_fall();
   }
   if (result.alarm == Fall::kNone) {

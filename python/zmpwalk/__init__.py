@@ -16,13 +16,18 @@ from importlib import import_module
 from types import ModuleType
 from typing import Any
 
+from ._check_mujoco import installed_mujoco as _installed_mujoco
 from ._check_mujoco import load_mujoco as _load_mujoco
 from .errors import DimensionError, Error, InputError, ModelError, VersionError
 
 try:
-    _load_mujoco()  # before the extension: a wrong MuJoCo gets a sentence, not a linker's message
+    _load_mujoco()  # before all else: a MuJoCo that does not fit gets a sentence
 except VersionError as error:
     if os.path.basename(sys.argv[0]) in ("zmpwalk", "-m"):  # the command line: one line, as for every bad input
+        if sys.argv[1:2] == ["build-adapter"]:
+            from ._adapters import main
+
+            raise SystemExit(main(_installed_mujoco())) from None
         print(f"zmpwalk: {error}", file=sys.stderr)
         raise SystemExit(2) from None
     raise

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <dlfcn.h>
 #include <mujoco/mujoco.h>
 
 #include <Eigen/Geometry>
@@ -17,6 +18,9 @@
 // The bundled humanoid, alone and in scenes, and random states of it.
 
 namespace zmpwalk::testing {
+
+/// The program links the adapter and libmujoco.
+inline const bool connected = (connect(zmpwalk_adapter_of, RTLD_DEFAULT), true);
 
 struct ModelDeleter {
   void operator()(mjModel* m) const { mj_deleteModel(m); }
@@ -79,6 +83,11 @@ inline ModelPtr mahru_in_a_scene() {
       "<inertial mass='1' pos='0 0 -0.3' diaginertia='0.01 0.01 0.01'/></body>");
   return load_text(replaced(text, "<actuator>", "<actuator><motor joint='arm'/>"));
 }
+
+struct DataDeleter {
+  void operator()(mjData* d) const { mj_deleteData(d); }
+};
+using MjDataPtr = std::unique_ptr<mjData, DataDeleter>;
 
 inline MjDataPtr make_data(const mjModel* m) { return MjDataPtr(mj_makeData(m)); }
 

@@ -6,7 +6,6 @@
 #include "zmpwalk/math/error.hpp"
 #include "zmpwalk/math/rotation.hpp"
 #include "zmpwalk/robot/contact_forces.hpp"
-#include "zmpwalk/robot/mujoco_compat.hpp"
 #include "zmpwalk/robot/robot.hpp"
 
 using namespace zmpwalk;
@@ -308,6 +307,37 @@ BOOST_AUTO_TEST_CASE(a_state_has_sizes_of_the_robot_finite_numbers_and_a_quatern
   CHECK_THROWS(require_state(longer, 31), DimensionError, "state.dq");
 }
 
-BOOST_AUTO_TEST_CASE(compiled_version_is_the_one_that_runs) {
-  BOOST_CHECK_EQUAL(mujoco_compat::compiled_version(), mj_versionString());
+BOOST_AUTO_TEST_CASE(views_point_into_the_structs_of_mujoco) {
+  const mjModel* m = mahru();
+  const MjDataPtr d = make_data(m);
+  const Model model(m);
+  const Data data(d.get());
+  BOOST_CHECK(model.handle == m && data.handle == d.get());
+  BOOST_CHECK_EQUAL(model.nv, m->nv);
+  BOOST_CHECK(model.body_pos == m->body_pos && model.jnt_range == m->jnt_range);
+  BOOST_CHECK(data.qpos == d->qpos && data.qfrc_bias == d->qfrc_bias && data.time == &d->time);
+  BOOST_CHECK_EQUAL(*model.timestep, m->opt.timestep);
+}
+
+BOOST_AUTO_TEST_CASE(numbers_of_kinds_are_those_of_mujoco) {
+  const mjModel* m = mahru();
+  const auto number = [&](int object, const char* name) { return mj::name2id(m, object, name); };
+  BOOST_CHECK_EQUAL(number(mj::kBody, "r_foot"), mj_name2id(m, mjOBJ_BODY, "r_foot"));
+  BOOST_CHECK_EQUAL(number(mj::kJoint, "r_knee"), mj_name2id(m, mjOBJ_JOINT, "r_knee"));
+  BOOST_CHECK_EQUAL(number(mj::kSite, "left_hand"), mj_name2id(m, mjOBJ_SITE, "left_hand"));
+  BOOST_CHECK_EQUAL(number(mj::kKey, "stand"), mj_name2id(m, mjOBJ_KEY, "stand"));
+  BOOST_CHECK(number(mj::kJoint, "r_knee") > 0 && number(mj::kSite, "left_hand") >= 0);
+}
+
+BOOST_AUTO_TEST_CASE(inertia_times_a_vector_is_that_of_mujoco) {
+  const mjModel* m = mahru();
+  const MjDataPtr d = make_data(m);
+  mj_forward(m, d.get());
+  const Data data(d.get());
+  RowMatX ours = RowMatX::Zero(m->nv, m->nv);
+  mj::compute_inertia(m, data);
+  mj::inertia(m, data, 0, static_cast<int>(m->nv), ours.data());
+  VecX force = VecX::LinSpaced(m->nv, -1.0, 1.0), product(m->nv);
+  mj_mulM(m, d.get(), product.data(), force.data());
+  BOOST_CHECK_SMALL((ours * force - product).norm(), 1e-10);
 }

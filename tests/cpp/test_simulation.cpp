@@ -138,7 +138,7 @@ BOOST_AUTO_TEST_CASE(every_end_of_a_walk_has_its_time_and_cause_and_keeps_the_re
     const RunResult result = simulation.run(
         3.0, recorder,
         [&](double t) {
-          if (t > 0.8495 && !std::exchange(done, true)) disturb(simulation.data());
+          if (t > 0.8495 && !std::exchange(done, true)) disturb(static_cast<mjData*>(simulation.data().handle));
           return true;
         },
         0.0);

@@ -273,9 +273,9 @@ def test_our_own_fault_is_exit_1_and_says_so(monkeypatch, capsys):
 @pytest.mark.parametrize(("name", "code"), [("zmpwalk", 2), ("notebook", 1)])
 def test_wrong_mujoco_is_one_line_for_the_command_and_an_error_for_others(name, code):
     script = (
-        "import sys, types; build = types.ModuleType('zmpwalk._build');"
-        "build.MUJOCO_VERSION, build.VERSION = '9.9.9', '0'; sys.modules['zmpwalk._build'] = build;"
-        f"sys.argv = ['/somewhere/bin/{name}']; import zmpwalk"
+        "import importlib.metadata, sys, mujoco;"
+        "importlib.metadata.version = lambda package: {'mujoco': '9.9.9'}.get(package, '1.0');"
+        f"mujoco.__version__ = '9.9.9'; sys.argv = ['/somewhere/bin/{name}']; import zmpwalk"
     )
     done = subprocess.run([sys.executable, "-c", script], stderr=subprocess.PIPE, text=True, check=False)
     assert done.returncode == code, done.stderr

@@ -13,9 +13,9 @@ PACKAGE = Path(zmpwalk.__file__).parent
 # From the ground up: a module imports modules of floors below its own, or of its own where that makes no circle.
 FLOORS = [
     ["errors", "_build", "_columns", "_core"],
-    ["_check_mujoco", "files", "analysis", "settings"],
-    ["profiles", "motion", "given", "robots", "disturbances"],
-    ["tasks", "verdict"],
+    ["files", "analysis", "settings"],
+    ["_adapters", "profiles", "motion", "given", "robots", "disturbances"],
+    ["_check_mujoco", "tasks", "verdict"],
     ["trace"],
     ["simulation"],
     ["waypoints", "bench", "render", "capture", "trials"],
@@ -28,8 +28,8 @@ FLOORS = [
 # those who draw only when asked to.
 DEFERRED = {"glfw", "imageio", "mujoco", "mujoco_menagerie", "pandas", "rich"}
 DEFERRED_ROOMS = {
-    "": {"plot"},
-    "_check_mujoco": {"_build"},
+    "": {"_adapters", "plot"},
+    "_check_mujoco": {"_build", "_core"},
     "cli.inspect": {"figures.robot"},
     "cli.plot": {"plot"},
     "cli.walk": {"plot"},

@@ -20,7 +20,7 @@ namespace zmpwalk {
 class CycleBenchmark {
  public:
   /// @throws as WalkingController; InputError duration not > 0, or the model's integrator is Runge-Kutta, which has no halves
-  CycleBenchmark(const mjModel* model, const RobotDescription& description, const WalkSettings& settings,
+  CycleBenchmark(const Model& model, const RobotDescription& description, const WalkSettings& settings,
                  const VelocityProfile& profile);
 
   /// Walks from the start pose. @param progress as in Simulation::run
@@ -30,7 +30,7 @@ class CycleBenchmark {
   WalkingController controller_, from_state_;
   Robot robot_, robot_from_state_;
   WholeBodyController direct_, textbook_;
-  MjDataPtr data_;
+  OwnData data_;
 };
 
 /// Times a recorded walk beside bare physics: `Simulation::run` with every column recorded, and `mj_step` alone on the same states.
@@ -43,7 +43,7 @@ class CycleBenchmark {
 /// the end of the piece, which is zero.
 /// @param progress as in Simulation::run
 /// @throws as CycleBenchmark; ModelError as Simulation
-std::vector<Column> benchmark_walk(const mjModel* model, const RobotDescription& description,
+std::vector<Column> benchmark_walk(const Model& model, const RobotDescription& description,
                                    const WalkSettings& settings, const VelocityProfile& profile, double duration,
                                    const std::function<bool(double)>& progress = {});
 

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "zmpwalk/robot/state.hpp"
@@ -39,7 +40,7 @@ class Simulation {
   /// @throws ModelError  a foot that touches nothing there; a simulated model that lacks what the controller's description names, or
   ///         whose joints are others, or stand in another order. InputError  as `Uncertainty::checked`
   explicit Simulation(WalkingController& controller, const Uncertainty& uncertainty = Uncertainty(),
-                      const mjModel* simulated = nullptr);
+                      const std::optional<Model>& simulated = std::nullopt);
   ~Simulation();
 
   /// Pushes the robot, from the next step on or later. @throws InputError  as `Pushes::add`
@@ -55,7 +56,7 @@ class Simulation {
                 double progress_interval = 0.1, const std::function<bool(const CycleOutput&)>& after_cycle = {},
                 double cycle_interval = 0.0, OnFall on_fall = OnFall::kStop);
 
-  mjData* data() { return data_.get(); }
+  const Data& data() const { return data_; }
   /// The robot that is simulated.
   const Robot& robot() const { return apart_ ? *apart_ : controller_.robot(); }
 
@@ -65,7 +66,7 @@ class Simulation {
 
   WalkingController& controller_;
   std::unique_ptr<Robot> apart_;  // where it is not the controller's
-  MjDataPtr data_;
+  OwnData data_;
   Pushes pushes_;
   bool direct_;  // the controller reads the data themselves
   Sensors sensors_;

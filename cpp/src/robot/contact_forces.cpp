@@ -1,24 +1,22 @@
 #include "zmpwalk/robot/contact_forces.hpp"
 
-#include <mujoco/mujoco.h>
-
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "zmpwalk/robot/mujoco_compat.hpp"
+#include "zmpwalk/robot/mujoco.hpp"
 #include "zmpwalk/zmp/estimate.hpp"
 
 namespace zmpwalk {
 
-MeasuredContact measure_contact(const Robot& robot, const mjData* d) {
+MeasuredContact measure_contact(const Robot& robot, const Data& d) {
   robot.require_data(d);
-  const mjModel* m = robot.model();
+  const Model& m = robot.model();
   MeasuredContact out;
   for (const Side side : kSides) out.sole[side] = robot.sole_centre(side, d);
-  for (int i = 0; i < d->ncon; ++i) {
-    const mujoco_compat::ContactPair pair = mujoco_compat::contact_pair(d->contact[i]);
-    if (pair.first < 0 || pair.second < 0) continue;  // not between two geoms
-    const int body_1 = m->geom_bodyid[pair.first], body_2 = m->geom_bodyid[pair.second];
+  for (int i = 0; i < *d.ncon; ++i) {
+    const zmpwalk_contact contact = mj::contact(d, i);
+    if (contact.geom[0] < 0 || contact.geom[1] < 0) continue;  // not between two geoms
+    const int body_1 = m.geom_bodyid[contact.geom[0]], body_2 = m.geom_bodyid[contact.geom[1]];
     if (robot.is_robot(body_1) && robot.is_robot(body_2)) {
       ++out.self_contacts;
       continue;
@@ -26,9 +24,8 @@ MeasuredContact measure_contact(const Robot& robot, const mjData* d) {
     for (const Side side : kSides) {
       const bool is_first = robot.is_foot(side, body_1), is_second = robot.is_foot(side, body_2);
       if (!is_first && !is_second) continue;
-      mjtNum local[6];  // force and torque of the first geom on the second, rows of the contact frame, normal first
-      mj_contactForce(m, d, i, local);
-      const mjContact& contact = d->contact[i];
+      double local[6];  // force and torque of the first geom on the second, rows of the contact frame, normal first
+      mj::contact_force(m, d, i, local);
       const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> frame(contact.frame);
       const double sign = is_first ? 1.0 : -1.0;  // of the foot on the ground
       const Vec3 F = sign * (frame.transpose() * Eigen::Map<const Vec3>(local));

@@ -1,7 +1,5 @@
 #include "zmpwalk/robot/description.hpp"
 
-#include <mujoco/mujoco.h>
-
 #include <algorithm>
 #include <numeric>
 
@@ -14,40 +12,40 @@
 namespace zmpwalk {
 namespace {
 
-int find(const mjModel* m, mjtObj type, const std::string& name) { return mj_name2id(m, type, name.c_str()); }
+int find(const Model& m, int type, const std::string& name) { return mj::name2id(m, type, name.c_str()); }
 
-std::vector<std::string> names(const mjModel* m, mjtObj type, const std::vector<int>& ids) {
+std::vector<std::string> names(const Model& m, int type, const std::vector<int>& ids) {
   std::vector<std::string> out;
   for (const int id : ids) out.push_back(object_name(m, type, id));
   return out;
 }
 
 /// Joints between the feet's common ancestor and `foot`, hip to ankle.
-std::vector<int> leg_joints(const mjModel* m, int foot, int other_foot) {
+std::vector<int> leg_joints(const Model& m, int foot, int other_foot) {
   const std::vector<int> theirs = ancestors(m, other_foot);
   std::vector<int> joints;
   for (const int body : ancestors(m, foot)) {
     if (std::find(theirs.begin(), theirs.end(), body) != theirs.end()) break;
-    for (int k = m->body_jntnum[body] - 1; k >= 0; --k) joints.push_back(m->body_jntadr[body] + k);
+    for (int k = m.body_jntnum[body] - 1; k >= 0; --k) joints.push_back(m.body_jntadr[body] + k);
   }
   std::reverse(joints.begin(), joints.end());
   return joints;
 }
 
 /// The two box sites on the soles, left and right; -1 and a reason where there is none.
-std::array<int, 2> sole_sites(const mjModel* m, Reasons& out) {
+std::array<int, 2> sole_sites(const Model& m, Reasons& out) {
   std::array<int, 2> sites{};
   for (const Side side : kSides) {
     const std::string name = side == kLeft ? "left_sole" : "right_sole";
-    sites[side] = find(m, mjOBJ_SITE, name);
-    std::vector<int> all(m->nsite);
+    sites[side] = find(m, mj::kSite, name);
+    std::vector<int> all(m.nsite);
     std::iota(all.begin(), all.end(), 0);
     if (sites[side] < 0)
       out.push_back({"names", "the model has no site '" + name +
                                   "' and so no known sole; mark each sole with a box site of that name on its plane, "
                                   "or pass a robot.json (it has sites: " +
-                                  (all.empty() ? "none" : listed(names(m, mjOBJ_SITE, all))) + ")"});
-    else if (m->site_type[sites[side]] != mjGEOM_BOX)
+                                  (all.empty() ? "none" : listed(names(m, mj::kSite, all))) + ")"});
+    else if (m.site_type[sites[side]] != mj::kBox)
       out.push_back(
           {"sole", "site '" + name + "' is not a box; the sole's length and width are read from its box size"});
   }
@@ -55,52 +53,52 @@ std::array<int, 2> sole_sites(const mjModel* m, Reasons& out) {
 }
 
 /// The robot that stands on two box sites.
-RobotParts parts_on(const mjModel* m, const std::array<int, 2>& sites) {
+RobotParts parts_on(const Model& m, const std::array<int, 2>& sites) {
   RobotParts robot;
-  robot.root_body = m->body_rootid[m->site_bodyid[sites[kLeft]]];
+  robot.root_body = m.body_rootid[m.site_bodyid[sites[kLeft]]];
   for (const Side side : kSides) {
-    const int foot = m->site_bodyid[sites[side]];
-    const mjtNum* size = m->site_size + 3 * sites[side];
+    const int foot = m.site_bodyid[sites[side]];
+    const double* size = m.site_size + 3 * sites[side];
     robot.legs.push_back({side == kLeft ? "left" : "right", foot,
-                          leg_joints(m, foot, m->site_bodyid[sites[other(side)]]), Vec2(2.0 * size[0], 2.0 * size[1])});
+                          leg_joints(m, foot, m.site_bodyid[sites[other(side)]]), Vec2(2.0 * size[0], 2.0 * size[1])});
   }
   return robot;
 }
 
 /// Body, sole frame and size, from a box site on the sole.
-Foot foot_on(const mjModel* m, int site, const LegParts& leg) {
+Foot foot_on(const Model& m, int site, const LegParts& leg) {
   Foot foot;
-  foot.body = object_name(m, mjOBJ_BODY, leg.foot);
-  foot.sole_site = object_name(m, mjOBJ_SITE, site);
-  for (int i = 0; i < 3; ++i) foot.sole_pos[i] = m->site_pos[3 * site + i];
-  for (int i = 0; i < 4; ++i) foot.sole_quat[i] = m->site_quat[4 * site + i];
+  foot.body = object_name(m, mj::kBody, leg.foot);
+  foot.sole_site = object_name(m, mj::kSite, site);
+  for (int i = 0; i < 3; ++i) foot.sole_pos[i] = m.site_pos[3 * site + i];
+  for (int i = 0; i < 4; ++i) foot.sole_quat[i] = m.site_quat[4 * site + i];
   foot.length = leg.sole->x();
   foot.width = leg.sole->y();
-  foot.leg_joints = names(m, mjOBJ_JOINT, leg.joints);
+  foot.leg_joints = names(m, mj::kJoint, leg.joints);
   return foot;
 }
 
 /// Name, base and start pose of the robot whose free joint is `root`, from the keyframe 'stand'.
-void read_stand(const mjModel* m, int root, int key, RobotDescription& out) {
-  out.root_joint = object_name(m, mjOBJ_JOINT, root);
-  out.name = object_name(m, mjOBJ_BODY, m->jnt_bodyid[root]);
-  out.stand_keyframe = object_name(m, mjOBJ_KEY, key);
-  const mjtNum* qpos = m->key_qpos + static_cast<long>(key) * m->nq;
-  const mjtNum* base = qpos + m->jnt_qposadr[root];
+void read_stand(const Model& m, int root, int key, RobotDescription& out) {
+  out.root_joint = object_name(m, mj::kJoint, root);
+  out.name = object_name(m, mj::kBody, m.jnt_bodyid[root]);
+  out.stand_keyframe = object_name(m, mj::kKey, key);
+  const double* qpos = m.key_qpos + static_cast<long>(key) * m.nq;
+  const double* base = qpos + m.jnt_qposadr[root];
   for (int i = 0; i < 3; ++i) out.stand_base_pos[i] = base[i];
   for (int i = 0; i < 4; ++i) out.stand_base_quat[i] = base[3 + i];
-  for (const int j : tree_joints(m, m->jnt_bodyid[root]))
-    out.stand_joints[object_name(m, mjOBJ_JOINT, j)] = qpos[m->jnt_qposadr[j]];
+  for (const int j : tree_joints(m, m.jnt_bodyid[root]))
+    out.stand_joints[object_name(m, mj::kJoint, j)] = qpos[m.jnt_qposadr[j]];
 }
 
 }  // namespace
 
-RobotDescription describe(const mjModel* m) {
+RobotDescription describe(const Model& m) {
   Reasons reasons;
   const std::array<int, 2> sites = sole_sites(m, reasons);
   RobotParts robot;
   if (reasons.empty()) reasons = model_reasons(m, robot = parts_on(m, sites));
-  const int key = find(m, mjOBJ_KEY, "stand");
+  const int key = find(m, mj::kKey, "stand");
   if (key < 0)
     reasons.push_back({"stand",
                        "the model has no keyframe 'stand'; add one with bent knees and flat feet, or pass a "
@@ -113,36 +111,34 @@ RobotDescription describe(const mjModel* m) {
   return out;
 }
 
-int RobotDescription::free_joint(const mjModel* m) const {
-  return root_joint.empty() ? free_joint_of(m, find(m, mjOBJ_BODY, feet[kLeft].body))
-                            : find(m, mjOBJ_JOINT, root_joint);
+int RobotDescription::free_joint(const Model& m) const {
+  return root_joint.empty() ? free_joint_of(m, find(m, mj::kBody, feet[kLeft].body)) : find(m, mj::kJoint, root_joint);
 }
 
-void RobotDescription::check(const mjModel* m) const { require_none(model_reasons(m, *this)); }
+void RobotDescription::check(const Model& m) const { require_none(model_reasons(m, *this)); }
 
-void require_same_model(const mjData* of_model, const mjData* d) {
-  if (d->nbuffer != of_model->nbuffer)
-    throw InputError("data was made for another model (" + std::to_string(d->nbuffer) +
-                     " bytes of state, this model has " + std::to_string(of_model->nbuffer) +
-                     "); use mujoco.MjData(model)");
+void require_same_model(const Data& of_model, const Data& d) {
+  if (d.size != of_model.size)
+    throw InputError("data was made for another model (" + std::to_string(d.size) + " bytes of state, this model has " +
+                     std::to_string(of_model.size) + "); use mujoco.MjData(model)");
 }
 
-void RobotDescription::place(const mjModel* m, mjData* d, double ground) const {
+void RobotDescription::place(const Model& m, const Data& d, double ground) const {
   check(m);
-  require_same_model(MjDataPtr(mj_makeData(m)).get(), d);
+  require_same_model(OwnData(m), d);
   require_finite("ground", ground);
   const int root = free_joint(m);
-  mjtNum* base = d->qpos + m->jnt_qposadr[root];
+  double* base = d.qpos + m.jnt_qposadr[root];
   for (int i = 0; i < 3; ++i) base[i] = stand_base_pos[i];
   base[2] += ground;
   for (int i = 0; i < 4; ++i) base[3 + i] = stand_base_quat[i];
-  for (int i = 0; i < 6; ++i) d->qvel[m->jnt_dofadr[root] + i] = 0.0;
+  for (int i = 0; i < 6; ++i) d.qvel[m.jnt_dofadr[root] + i] = 0.0;
   for (const auto& [joint_name, value] : stand_joints) {
-    const int joint = find(m, mjOBJ_JOINT, joint_name);
-    d->qpos[m->jnt_qposadr[joint]] = value;
-    d->qvel[m->jnt_dofadr[joint]] = 0.0;
+    const int joint = find(m, mj::kJoint, joint_name);
+    d.qpos[m.jnt_qposadr[joint]] = value;
+    d.qvel[m.jnt_dofadr[joint]] = 0.0;
   }
-  mj_forward(m, d);
+  mj::forward(m, d);
 }
 
 }  // namespace zmpwalk

@@ -4,27 +4,27 @@
 
 namespace zmpwalk {
 
-std::string object_name(const mjModel* m, mjtObj type, int id) {
-  const char* name = id < 0 ? nullptr : mj_id2name(m, type, id);
+std::string object_name(const Model& m, int type, int id) {
+  const char* name = id < 0 ? nullptr : mj::id2name(m, type, id);
   return name ? name : "";
 }
 
-std::string label(const mjModel* m, mjtObj type, int id) {
+std::string label(const Model& m, int type, int id) {
   const std::string name = object_name(m, type, id);
   return "'" + (name.empty() ? std::to_string(id) : name) + "'";
 }
 
-std::string body_label(const mjModel* m, int body) { return "body " + label(m, mjOBJ_BODY, body); }
+std::string body_label(const Model& m, int body) { return "body " + label(m, mj::kBody, body); }
 
-std::string joint_labels(const mjModel* m, const std::vector<int>& joints) {
+std::string joint_labels(const Model& m, const std::vector<int>& joints) {
   std::vector<std::string> words;
-  for (const int j : joints) words.push_back(label(m, mjOBJ_JOINT, j));
+  for (const int j : joints) words.push_back(label(m, mj::kJoint, j));
   return joints.empty() ? "none" : listed(words);
 }
 
-std::string joint_kind(const mjModel* m, int joint) {
-  const int type = m->jnt_type[joint];
-  return type == mjJNT_BALL ? "ball" : type == mjJNT_SLIDE ? "slide" : type == mjJNT_HINGE ? "hinge" : "free";
+std::string joint_kind(const Model& m, int joint) {
+  const int type = m.jnt_type[joint];
+  return type == mj::kBall ? "ball" : type == mj::kSlide ? "slide" : type == mj::kHinge ? "hinge" : "free";
 }
 
 std::string number(double value) {

@@ -1,7 +1,5 @@
 #include "zmpwalk/simulation/push.hpp"
 
-#include <mujoco/mujoco.h>
-
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -12,10 +10,10 @@
 namespace zmpwalk {
 
 int trunk_body(const Robot& robot) {
-  const mjModel* m = robot.model();
-  for (int body = 1; body < m->nbody; ++body) {
+  const Model& m = robot.model();
+  for (int body = 1; body < m.nbody; ++body) {
     if (!robot.is_robot(body)) continue;
-    std::string name = object_name(m, mjOBJ_BODY, body);
+    std::string name = object_name(m, mj::kBody, body);
     std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
     if (name.find("torso") != std::string::npos || name.find("trunk") != std::string::npos) return body;
   }
@@ -23,22 +21,22 @@ int trunk_body(const Robot& robot) {
 }
 
 void Pushes::add(const Push& push) {
-  const mjModel* m = robot_->model();
+  const Model& m = robot_->model();
   if (!std::isfinite(push.t) || push.t < 0.0)
     throw InputError("a push begins at " + number(push.t) + " s; it must begin at a finite time of at least 0");
-  if (!std::isfinite(push.duration) || push.duration < m->opt.timestep)
+  if (!std::isfinite(push.duration) || push.duration < *m.timestep)
     throw InputError("a push lasts " + number(push.duration) +
-                     " s; it must last a finite time of at least a timestep, " + number(m->opt.timestep) + " s");
+                     " s; it must last a finite time of at least a timestep, " + number(*m.timestep) + " s");
   for (const double value : push.wrench)
     if (!std::isfinite(value))
       throw InputError("a force or torque of a push is " + number(value) + "; it must be finite");
   int body = trunk_body(*robot_);
   if (!push.body.empty()) {
-    body = mj_name2id(m, mjOBJ_BODY, push.body.c_str());
+    body = mj::name2id(m, mj::kBody, push.body.c_str());
     if (body <= 0 || !robot_->is_robot(body)) {
       std::vector<std::string> known;
-      for (int b = 1; b < m->nbody; ++b)
-        if (robot_->is_robot(b)) known.push_back(object_name(m, mjOBJ_BODY, b));
+      for (int b = 1; b < m.nbody; ++b)
+        if (robot_->is_robot(b)) known.push_back(object_name(m, mj::kBody, b));
       throw InputError("a push is given to the body '" + push.body +
                        "', which the robot does not have; there are: " + listed(known, known.size()));
     }
@@ -46,12 +44,12 @@ void Pushes::add(const Push& push) {
   pushes_.push_back({push, body});
 }
 
-void Pushes::apply(double t, mjData* d) const {
+void Pushes::apply(double t, const Data& d) const {
   const double half = 0.5 * robot_->timestep();
-  for (const Acting& each : pushes_) std::fill_n(d->xfrc_applied + 6 * each.body, 6, 0.0);
+  for (const Acting& each : pushes_) std::fill_n(d.xfrc_applied + 6 * each.body, 6, 0.0);
   for (const auto& [push, body] : pushes_)
     if (t >= push.t - half && t < push.t + push.duration - half)
-      for (int i = 0; i < 6; ++i) d->xfrc_applied[6 * body + i] += push.wrench[i];
+      for (int i = 0; i < 6; ++i) d.xfrc_applied[6 * body + i] += push.wrench[i];
 }
 
 }  // namespace zmpwalk

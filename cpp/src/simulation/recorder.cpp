@@ -1,7 +1,5 @@
 #include "zmpwalk/simulation/recorder.hpp"
 
-#include <mujoco/mujoco.h>
-
 #include <algorithm>
 #include <cassert>
 
@@ -33,17 +31,17 @@ Recorder::Recorder(const WalkingController& controller, double duration) : contr
   }
 }
 
-void Recorder::add(const CycleOutput& out, const mjData* data) {
+void Recorder::add(const CycleOutput& out, const Data& data) {
   const Robot& robot = controller_->robot();
   add(out, data, robot, robot.qpos(), robot.qvel());
 }
 
-void Recorder::add(const CycleOutput& out, const mjData* data, const Robot& robot, const State& state) {
+void Recorder::add(const CycleOutput& out, const Data& data, const Robot& robot, const State& state) {
   using ConstMap = Eigen::Map<const VecX>;
   add(out, data, robot, ConstMap(state.q.data(), state.q.size()), ConstMap(state.dq.data(), state.dq.size()));
 }
 
-void Recorder::add(const CycleOutput& out, const mjData* data, const Robot& robot, const Eigen::Map<const VecX>& q,
+void Recorder::add(const CycleOutput& out, const Data& data, const Robot& robot, const Eigen::Map<const VecX>& q,
                    const Eigen::Map<const VecX>& dq) {
   if (!out.fresh) return;
   contact_ = measure_contact(robot, data);

@@ -28,7 +28,7 @@ double top_speed(const VelocityProfile& profile) {
 
 }  // namespace
 
-WalkingController::WalkingController(const mjModel* model, const RobotDescription& description,
+WalkingController::WalkingController(const Model& model, const RobotDescription& description,
                                      const WalkSettings& settings, const VelocityProfile& profile)
     : robot_(model, with_limits(description, settings.control.torque_limits)),
       profile_(profile),
@@ -182,7 +182,7 @@ void WalkingController::reset(const State& state) {
   start();
 }
 
-void WalkingController::reset(const mjData* data) {
+void WalkingController::reset(const Data& data) {
   robot_.require_data(data);
   if (!robot_.is_finite(data))
     throw InputError("data holds a position or velocity that is not finite; place the robot first");
@@ -231,7 +231,7 @@ const CycleOutput& WalkingController::update(const State& state) {
   return out_;
 }
 
-const CycleOutput& WalkingController::update(mjData* data, Terms terms, const Sensed& sensed) {
+const CycleOutput& WalkingController::update(const Data& data, Terms terms, const Sensed& sensed) {
   clock_.require_started();
   robot_.require_data(data);
   if (!robot_.is_finite(data)) throw InputError("data holds a position or velocity that is not finite");

@@ -34,7 +34,7 @@ __all__ = ["command"]
 def command(model: str, as_json: bool, write: Path | None, figure: Path | None) -> int:
     """Show what is found in MODEL: base, feet, legs, start pose, joints, and what is unsure.
 
-    MODEL is a robot's name, menagerie:NAME, a robot.json, or any .xml with a robot on two legs. If the robot cannot
+    MODEL is a robot's name, menagerie:NAME, a robot.json, or any MJCF or URDF with a robot on two legs. If it cannot
     walk, the command says why, a line for each reason.
     """
     if figure is not None and figure.suffix.lower() not in (".png", ".pdf", ".svg"):

@@ -58,7 +58,7 @@ robot_option = click.option(
     "--robot",
     default="mahru",
     show_default=True,
-    help="A robot's name, menagerie:NAME, or a path to a robot.json or an .xml.",
+    help="A robot's name, menagerie:NAME, or a path to a robot.json, an MJCF (.xml, .mjcf) or a .urdf.",
 )
 
 

@@ -13,10 +13,12 @@ from ..errors import InputError, ModelError
 from .description import description_from_dict, model_file, read_description, read_json, renamed
 from .menagerie import PREFIX, menagerie_file
 from .proposal import Proposal, appraise, describe, propose
+from .urdf import read_urdf
 
 __all__ = ["ROBOTS", "Robot", "available_robots", "examine", "load_robot", "read_robot", "robot_file"]
 
 ROBOTS = Path(__file__).resolve().parent
+MODELS = (".xml", ".mjcf", ".urdf")  # kinds of files that hold a model
 
 Robot = Union[str, os.PathLike, "mujoco.MjModel", Tuple[Any, Any]]
 
@@ -47,8 +49,8 @@ def load_robot(robot: Robot) -> tuple[mujoco.MjModel, RobotDescription]:
             - a path to a `robot.json` (or the folder that holds one): its "scene" is loaded, or its "model" where it
               has no scene;
             - "menagerie:NAME", a robot of MuJoCo Menagerie (see `zmpwalk.robots.menagerie`);
-            - a path to an MJCF `.xml`, or an `MjModel`, in which `describe` finds a robot;
-            - a pair (`.xml` path or `MjModel`, `RobotDescription` or `robot.json` path or None).
+            - a path to an MJCF (`.xml`, `.mjcf`) or a `.urdf`, or an `MjModel`, in which `describe` finds a robot;
+            - a pair (path of a model or `MjModel`, `RobotDescription` or `robot.json` path or None).
 
     Returns:
         model: the compiled model.
@@ -83,8 +85,9 @@ def examine(robot: Robot) -> tuple[mujoco.MjModel, Proposal]:
         description.check(model)
         return model, appraise(model, description)
     found = propose(model)
+    remarks = _said_of_urdf(robot) + found.remarks
     table = {**found.table, "name": name or found.table["name"]}
-    return model, Proposal(renamed(found.description, name), found.remarks, table)
+    return model, Proposal(renamed(found.description, name), remarks, {**table, "remarks": remarks})
 
 
 def read_robot(robot: Robot) -> tuple[mujoco.MjModel, RobotDescription | None, str]:
@@ -147,20 +150,29 @@ def _find(robot: str | os.PathLike) -> Path:
     path = Path(robot).expanduser()
     if path.is_dir() and (path / "robot.json").is_file():
         return path / "robot.json"
-    if path.is_file() and path.suffix.lower() in (".xml", ".json"):
+    if path.is_file() and path.suffix.lower() in (".json", *MODELS):
         return path
     if path.exists():
-        raise InputError(f"{path}: not a robot; give a robot.json, a folder with one, or an MJCF .xml")
+        raise InputError(f"{path}: not a robot; give a robot.json, a folder with one, an MJCF (.xml, .mjcf) or a .urdf")
     if path.suffix or len(path.parts) > 1:
         raise InputError(f"{path}: no such file")
     raise InputError(
-        f"unknown robot '{robot}': there is {', '.join(sorted(bundled))}; a path to a robot.json or an .xml works too"
+        f"unknown robot '{robot}': there is {', '.join(sorted(bundled))}; "
+        "a path to a robot.json, an MJCF or a URDF works too"
     )
+
+
+def _said_of_urdf(robot: Robot) -> list[str]:
+    """What was added to a URDF so that it can walk."""
+    is_path = isinstance(robot, (str, os.PathLike)) and Path(robot).suffix.lower() == ".urdf"
+    return read_urdf(Path(robot).expanduser())[1] if is_path else []  # type: ignore[arg-type]
 
 
 def _load_xml(path: Path) -> mujoco.MjModel:
     if not path.is_file():
         raise InputError(f"{path}: no such file")
+    if path.suffix.lower() == ".urdf":
+        return read_urdf(path)[0]
     try:
         return mujoco.MjModel.from_xml_path(str(path))
     except Exception as error:  # MuJoCo raises ValueError, or its own FatalError

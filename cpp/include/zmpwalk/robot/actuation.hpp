@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "zmpwalk/math/types.hpp"
-#include "zmpwalk/robot/mujoco_types.hpp"
+#include "zmpwalk/robot/mujoco.hpp"
 
 namespace zmpwalk {
 
@@ -28,19 +28,19 @@ class Actuation {
   /// @param joints  MuJoCo numbers of the robot's joints, hinges and slides, in the order of its dofs
   /// @param limits  torque limits by joint name that replace the model's [N m]; a motor still gives no more than the model lets through
   /// The rules for limits and ranges are checked by `model_reasons`, not here.
-  Actuation(const mjModel* m, const std::vector<int>& joints, const std::map<std::string, double>& limits);
+  Actuation(const Model& m, const std::vector<int>& joints, const std::map<std::string, double>& limits);
 
   const std::vector<JointDrive>& drives() const { return drives_; }
 
   /// Writes `tau` (joints,) [N m] for the state in `d`. `own` is another mjData of the same model with the robot's state, used as scratch memory.
   ///
   /// Only ctrl of the actuators that act on the robot changes, and qfrc_applied of the joints that are driven through it. Allocates nothing.
-  void write(const ConstVecRef& tau, mjData* d, mjData* own) const;
+  void write(const ConstVecRef& tau, const Data& d, const Data& own) const;
 
  private:
-  void silence(mjData* d, mjData* own) const;
+  void silence(const Data& d, const Data& own) const;
 
-  const mjModel* m_;
+  Model m_;
   std::vector<JointDrive> drives_;
   std::vector<int> dofs_;                       // of each joint
   std::vector<int> silenced_;                   // actuators
@@ -50,15 +50,15 @@ class Actuation {
 
 /// The range, "ctrl" or "force", that does not contain zero, so that the actuator always pulls at the joint that it turns; nullptr where
 /// both ranges contain it.
-const char* range_without_rest(const mjModel* m, int actuator);
+const char* range_without_rest(const Model& m, int actuator);
 
 /// True where the actuator turns `joint` directly, not through a tendon.
-bool turns_joint(const mjModel* m, int actuator, int joint);
+bool turns_joint(const Model& m, int actuator, int joint);
 
 /// Hinges and slides of the tree whose root body is `root`, in the order of their dofs.
-std::vector<int> tree_joints(const mjModel* m, int root);
+std::vector<int> tree_joints(const Model& m, int root);
 
 /// Joints whose positions the length of a tendon depends on: those that a fixed tendon names, or those between the sites and geoms of a spatial one.
-std::vector<int> tendon_joints(const mjModel* m, int tendon);
+std::vector<int> tendon_joints(const Model& m, int tendon);
 
 }  // namespace zmpwalk

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "zmpwalk/math/types.hpp"
-#include "zmpwalk/robot/mujoco_types.hpp"
+#include "zmpwalk/robot/mujoco.hpp"
 #include "zmpwalk/robot/robot.hpp"
 #include "zmpwalk/robot/state.hpp"
 #include "zmpwalk/zmp/plane.hpp"
@@ -17,7 +17,7 @@ struct MeasuredContact {
 };
 
 /// Sums the contact forces between each foot and everything that is not the robot. Allocates nothing.
-MeasuredContact measure_contact(const Robot& robot, const mjData* d);
+MeasuredContact measure_contact(const Robot& robot, const Data& d);
 
 /// What the feet feel of them: the wrench of each foot, and whether it touches. Allocates nothing.
 Sensed felt_by(const MeasuredContact& contact);

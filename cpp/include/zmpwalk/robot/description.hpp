@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "zmpwalk/math/types.hpp"
-#include "zmpwalk/robot/mujoco_types.hpp"
+#include "zmpwalk/robot/mujoco.hpp"
 
 namespace zmpwalk {
 
@@ -33,26 +33,26 @@ struct RobotDescription {
   std::map<std::string, double> torque_limits;  ///< by joint name, in place of the model's [N m]; may be empty
 
   /// Throws ModelError, with every reason of `model_reasons`, unless every name exists in `m` and the robot can walk. Changes nothing.
-  void check(const mjModel* m) const;
+  void check(const Model& m) const;
 
   /// Number of the free joint: that of `root_joint`, or if this is empty, of the tree to which the left foot belongs. The names must be right.
-  int free_joint(const mjModel* m) const;
+  int free_joint(const Model& m) const;
 
   /// Puts the robot into its start pose, at rest, with flat soles at the height `ground` in W [m].
   ///
   /// Only the robot's own qpos and qvel change, so that it may be any tree of a scene. Then it calls mj_forward.
   /// @throws ModelError as check()
-  void place(const mjModel* m, mjData* d, double ground = 0.0) const;
+  void place(const Model& m, const Data& d, double ground = 0.0) const;
 };
 
 /// Throws InputError unless both mjData have the same layout, that is, come from the same model.
-void require_same_model(const mjData* of_model, const mjData* d);
+void require_same_model(const Data& of_model, const Data& d);
 
 /// Description of a model that carries box sites `left_sole` and `right_sole` and a keyframe `stand`.
 ///
 /// Body, sole frame and size come from the sites, legs from the tree between the feet and their common ancestor, the pose
 /// from the keyframe.
 /// @throws ModelError  names what is missing and what would have worked
-RobotDescription describe(const mjModel* m);
+RobotDescription describe(const Model& m);
 
 }  // namespace zmpwalk

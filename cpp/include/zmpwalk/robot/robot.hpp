@@ -8,7 +8,7 @@
 #include "zmpwalk/control/external.hpp"
 #include "zmpwalk/robot/actuation.hpp"
 #include "zmpwalk/robot/description.hpp"
-#include "zmpwalk/robot/mujoco_types.hpp"
+#include "zmpwalk/robot/mujoco.hpp"
 #include "zmpwalk/robot/state.hpp"
 
 namespace zmpwalk {
@@ -29,22 +29,22 @@ struct RobotLeg {
 class Robot {
  public:
   /// @throws ModelError  the robot cannot walk: it gives every reason of `model_reasons`, or if there is none, those of `stand_reasons`
-  Robot(const mjModel* m, const RobotDescription& description);
+  Robot(const Model& m, const RobotDescription& description);
 
   /// Reads the robot's state out of `d` and computes every term of `dynamics()`. Allocates nothing.
   ///
   /// A, b and g come from mj_crb, mj_rne and mj_passive; Jdot dq is the acceleration of a frame with ddq = 0, summed along its leg.
   /// Dry friction of a joint enters b as c tanh(dq / friction_velocity).
-  void read(const mjData* d);
+  void read(const Data& d);
   /// The same from numbers alone: the same bits for the same q and dq. Allocates nothing.
   void read(const State& state);
   /// Writes position, velocity and time of the robot in `d` into `out`; its sensed values stay as they are. Allocates nothing.
-  void observe(const mjData* d, State& out) const;
+  void observe(const Data& d, State& out) const;
   /// Does what `read` does, with the same bits, but takes the terms that `d` holds already: call it right after mj_step1 or mj_forward.
   /// Allocates nothing.
-  void read_computed(const mjData* d);
+  void read_computed(const Data& d);
   /// @throws InputError  the base in `d` has moved since the terms in `d` were computed. Allocates nothing otherwise.
-  void require_computed(const mjData* d) const;
+  void require_computed(const Data& d) const;
   const Dynamics& dynamics() const { return dynamics_; }
 
   /// Index in `dynamics().frames` of the frame of a body or a site. Every `read` fills that frame in from then on. It allocates, so call it outside
@@ -60,14 +60,14 @@ class Robot {
   Eigen::Map<const VecX> qvel() const;
 
   /// @throws InputError  `d` was made for a model of another size. Allocates nothing otherwise.
-  void require_data(const mjData* d) const;
+  void require_data(const Data& d) const;
   /// True where every position and velocity of the robot in `d` is finite.
-  bool is_finite(const mjData* d) const;
+  bool is_finite(const Data& d) const;
 
   /// Writes joint torques (joints,) [N m] for the state in `d`: `Actuation::write`. Allocates nothing.
-  void write_torque(const ConstVecRef& tau, mjData* d) const { actuation_.write(tau, d, data_.get()); }
+  void write_torque(const ConstVecRef& tau, const Data& d) const { actuation_.write(tau, d, data_); }
 
-  const mjModel* model() const { return m_; }
+  const Model& model() const { return m_; }
   double timestep() const;  ///< of the model [s]
   const RobotDescription& description() const { return description_; }
   int nv() const { return nv_; }
@@ -100,9 +100,9 @@ class Robot {
   /// Geometry of a leg at the start pose.
   RobotLeg leg_at_stand(Side side) const { return leg_[side]; }
   /// Sole centre in W, from the body poses that `d` holds (after mj_step: those of the state before it) [m].
-  Vec3 sole_centre(Side side, const mjData* d) const;
+  Vec3 sole_centre(Side side, const Data& d) const;
   /// Distance to its limit of the joint that is nearest to one in `d` [rad or m]; infinity if no joint has a limit.
-  double joint_margin(const mjData* d) const;
+  double joint_margin(const Data& d) const;
   /// How far both hips can turn about the vertical from the start pose, either way: the smallest distance to one of their limits [rad].
   double hip_turn() const { return hip_turn_; }
   /// Of the leg joints [first, last), the one whose axis lies closest to the sole's y at the start pose (joint index).
@@ -125,12 +125,12 @@ class Robot {
   BodyFrame frame_on(const std::string& name, int body, const Vec3& p_BF, const double* q_BF) const;
   void copy_state(const double* q, const double* dq);  // into the robot's own mjData
   void compute();  // every term of `dynamics()`, from the state in the robot's own mjData
-  void collect(const mjData* d);
-  void read_frame(const BodyFrame& frame, const mjData* d, FrameState& out) const;
+  void collect(const Data& d);
+  void read_frame(const BodyFrame& frame, const Data& d, FrameState& out) const;
 
-  const mjModel* m_;
+  Model m_;
   RobotDescription description_;
-  MjDataPtr data_;
+  OwnData data_;
   Dynamics dynamics_;
   int nv_, qpos0_, dof0_, root_body_;
   std::array<int, 2> foot_body_{};

@@ -1,28 +1,28 @@
 #pragma once
 
-#include <mujoco/mujoco.h>
-
 #include <string>
 #include <vector>
+
+#include "zmpwalk/robot/mujoco.hpp"
 
 // Names and numbers as messages about a model write them.
 
 namespace zmpwalk {
 
 /// Name of a MuJoCo object, or "" where it has none.
-std::string object_name(const mjModel* m, mjtObj type, int id);
+std::string object_name(const Model& m, int type, int id);
 
 /// The object's name, or its number where it has none, in quotes: 'l_knee', '7'.
-std::string label(const mjModel* m, mjtObj type, int id);
+std::string label(const Model& m, int type, int id);
 
 /// The label of a body with the word before it: body 'l_foot'.
-std::string body_label(const mjModel* m, int body);
+std::string body_label(const Model& m, int body);
 
 /// The joints' labels one after another: 'l_knee', 'l_ankle_pitch'; "none" where there is none.
-std::string joint_labels(const mjModel* m, const std::vector<int>& joints);
+std::string joint_labels(const Model& m, const std::vector<int>& joints);
 
 /// "hinge", "slide", "ball" or "free".
-std::string joint_kind(const mjModel* m, int joint);
+std::string joint_kind(const Model& m, int joint);
 
 /// The number with four digits: 0.14, 9.81, 1e+155.
 std::string number(double value);

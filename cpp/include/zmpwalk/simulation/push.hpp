@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "zmpwalk/math/types.hpp"
-#include "zmpwalk/robot/mujoco_types.hpp"
+#include "zmpwalk/robot/mujoco.hpp"
 #include "zmpwalk/robot/robot.hpp"
 
 namespace zmpwalk {
@@ -31,7 +31,7 @@ class Pushes {
   void add(const Push& push);
   /// Sets the forces of the step that begins at `t` [s] in `d`. A push acts in the steps that begin in [t, t + duration), times rounded to
   /// the timestep. Nothing is written where no push was ever added. Allocates nothing.
-  void apply(double t, mjData* d) const;
+  void apply(double t, const Data& d) const;
 
  private:
   struct Acting {

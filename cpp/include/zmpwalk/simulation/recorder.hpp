@@ -26,9 +26,9 @@ class Recorder {
   explicit Recorder(const WalkingController& controller, double duration = 0.0);
 
   /// Adds one row, if `out` is a new cycle. Call right after mj_step: `data` then holds the contact forces of this cycle.
-  void add(const CycleOutput& out, const mjData* data);
+  void add(const CycleOutput& out, const Data& data);
   /// The same where what walks is not what the controller believes in, or is told of: `robot` walks, and `state` is its own before the step.
-  void add(const CycleOutput& out, const mjData* data, const Robot& robot, const State& state);
+  void add(const CycleOutput& out, const Data& data, const Robot& robot, const State& state);
 
   /// Marks the last row as a fall that shows only after the step: the state is not finite, or no foot touches the ground.
   void mark_fall();
@@ -41,7 +41,7 @@ class Recorder {
   const MeasuredContact& contact() const { return contact_; }
 
  private:
-  void add(const CycleOutput& out, const mjData* data, const Robot& robot, const Eigen::Map<const VecX>& q,
+  void add(const CycleOutput& out, const Data& data, const Robot& robot, const Eigen::Map<const VecX>& q,
            const Eigen::Map<const VecX>& dq);
 
   const WalkingController* controller_;

@@ -45,7 +45,7 @@ class WalkingController {
  public:
   /// @param model what the controller believes about the robot, which may differ from the robot that it walks; it must outlive the controller
   /// @throws ModelError  the robot cannot walk. InputError  a setting breaks its rule, or the profile is faster than the legs reach
-  WalkingController(const mjModel* model, const RobotDescription& description,
+  WalkingController(const Model& model, const RobotDescription& description,
                     const WalkSettings& settings = WalkSettings(),
                     const VelocityProfile& profile = VelocityProfile::paper());
   WalkingController(const WalkingController&) = delete;
@@ -54,7 +54,7 @@ class WalkingController {
   /// Starts a walk from `state`, and moves nothing yet. @throws InputError  the state is not finite. DimensionError
   void reset(const State& state);
   /// The same for the state in `data`.
-  void reset(const mjData* data);
+  void reset(const Data& data);
 
   /// Computes the torque for `state` and returns it as `tau` of the output. Nothing outside the controller changes.
   ///
@@ -68,7 +68,7 @@ class WalkingController {
   /// @param sensed  what is measured or known beside position and velocity. If the setting `touch_down` needs contacts that it leaves unknown, they
   ///                are read from `data` with Terms::kCompute, where the last step has left them.
   /// @throws as above, and InputError  the terms in `data` belong to another state
-  const CycleOutput& update(mjData* data, Terms terms = Terms::kCompute, const Sensed& sensed = Sensed());
+  const CycleOutput& update(const Data& data, Terms terms = Terms::kCompute, const Sensed& sensed = Sensed());
 
   /// Commands a velocity: from the next cycle on the robot walks with it instead of the profile's, until `reset`.
   ///

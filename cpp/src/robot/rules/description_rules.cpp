@@ -11,19 +11,19 @@
 namespace zmpwalk {
 
 void Names::add_missing(Reasons& out) const {
-  add("joint", mjOBJ_JOINT, m_->njnt, joints_, out);
-  add("body", mjOBJ_BODY, m_->nbody, bodies_, out);
-  add("site", mjOBJ_SITE, m_->nsite, sites_, out);
+  add("joint", mj::kJoint, m_.njnt, joints_, out);
+  add("body", mj::kBody, m_.nbody, bodies_, out);
+  add("site", mj::kSite, m_.nsite, sites_, out);
 }
 
-int Names::look_up(mjtObj type, const std::string& name, std::vector<std::string>& missing) const {
-  const int id = mj_name2id(m_, type, name.c_str());
+int Names::look_up(int type, const std::string& name, std::vector<std::string>& missing) const {
+  const int id = mj::name2id(m_, type, name.c_str());
   const std::string quoted = "'" + name + "'";
   if (id < 0 && std::find(missing.begin(), missing.end(), quoted) == missing.end()) missing.push_back(quoted);
   return id;
 }
 
-void Names::add(const char* kind, mjtObj type, int count, const std::vector<std::string>& missing, Reasons& out) const {
+void Names::add(const char* kind, int type, int count, const std::vector<std::string>& missing, Reasons& out) const {
   if (missing.empty()) return;
   std::vector<std::string> has;
   for (int i = 0; i < count; ++i) has.push_back(object_name(m_, type, i));
@@ -31,7 +31,7 @@ void Names::add(const char* kind, mjtObj type, int count, const std::vector<std:
                               "; it has: " + (has.empty() ? "none" : listed(has))});
 }
 
-RobotParts parts_of(const mjModel* m, const RobotDescription& description, Names& names) {
+RobotParts parts_of(const Model& m, const RobotDescription& description, Names& names) {
   RobotParts robot;
   const int root = description.root_joint.empty() ? -1 : names.joint(description.root_joint);
   for (const Side side : kSides) {
@@ -39,23 +39,23 @@ RobotParts parts_of(const mjModel* m, const RobotDescription& description, Names
     LegParts leg{side == kLeft ? "left" : "right", names.body(foot.body), {}, Vec2(foot.length, foot.width)};
     if (!foot.sole_site.empty()) names.site(foot.sole_site);
     for (const std::string& joint : foot.leg_joints) leg.joints.push_back(names.joint(joint));
-    if (robot.root_body < 0 && leg.foot > 0) robot.root_body = m->body_rootid[leg.foot];
+    if (robot.root_body < 0 && leg.foot > 0) robot.root_body = m.body_rootid[leg.foot];
     robot.legs.push_back(std::move(leg));
   }
-  if (root >= 0) robot.root_body = m->body_rootid[m->jnt_bodyid[root]];
+  if (root >= 0) robot.root_body = m.body_rootid[m.jnt_bodyid[root]];
   return robot;
 }
 
-void add_description(const mjModel* m, const RobotDescription& description, int root_body, Names& names, Reasons& out) {
-  const int named = mj_name2id(m, mjOBJ_JOINT, description.root_joint.c_str()), root = free_joint_of(m, root_body);
+void add_description(const Model& m, const RobotDescription& description, int root_body, Names& names, Reasons& out) {
+  const int named = mj::name2id(m, mj::kJoint, description.root_joint.c_str()), root = free_joint_of(m, root_body);
   if (named >= 0 && root >= 0 && named != root)
-    out.push_back({"base", "joint " + label(m, mjOBJ_JOINT, named) + " is not a free joint, but a " +
+    out.push_back({"base", "joint " + label(m, mj::kJoint, named) + " is not a free joint, but a " +
                                joint_kind(m, named) + "; the free joint of this robot's base is " +
-                               label(m, mjOBJ_JOINT, root)});
+                               label(m, mj::kJoint, root)});
   std::vector<std::string> valueless;
   if (root >= 0)
     for (const int j : tree_joints(m, root_body)) {
-      const std::string name = object_name(m, mjOBJ_JOINT, j);
+      const std::string name = object_name(m, mj::kJoint, j);
       if (!name.empty() && !description.stand_joints.count(name)) valueless.push_back("'" + name + "'");
     }
   if (!valueless.empty()) out.push_back({"stand", "the start pose has no value for joint " + listed(valueless)});
@@ -70,10 +70,10 @@ void add_description(const mjModel* m, const RobotDescription& description, int 
   for (const auto* table : {&description.stand_joints, &description.torque_limits})
     for (const auto& entry : *table) {
       const int j = names.joint(entry.first);
-      if (j >= 0 && (m->body_rootid[m->jnt_bodyid[j]] != root_body || j == root)) strangers.insert(j);
+      if (j >= 0 && (m.body_rootid[m.jnt_bodyid[j]] != root_body || j == root)) strangers.insert(j);
     }
   for (const int j : strangers)
-    out.push_back({"names", "joint " + label(m, mjOBJ_JOINT, j) +
+    out.push_back({"names", "joint " + label(m, mj::kJoint, j) +
                                 " does not belong to this robot; take it out of start pose and torque limits"});
   if (!description.stand_base_pos.allFinite() || !(std::abs(description.stand_base_quat.norm() - 1.0) < 1e-3))
     out.push_back({"stand", "the start pose's base is not a position and a unit quaternion (w, x, y, z)"});

@@ -5,7 +5,7 @@
 
 #include "zmpwalk/math/error.hpp"
 #include "zmpwalk/robot/actuation.hpp"
-#include "zmpwalk/robot/mujoco_compat.hpp"
+#include "zmpwalk/robot/mujoco.hpp"
 #include "zmpwalk/robot/rules/base_rules.hpp"
 #include "zmpwalk/robot/rules/description_rules.hpp"
 #include "zmpwalk/robot/rules/leg_rules.hpp"
@@ -16,39 +16,39 @@
 namespace zmpwalk {
 namespace {
 
-void add_world(const mjModel* m, Reasons& out) {
-  const mjtNum* g = m->opt.gravity;
-  const bool off = m->opt.disableflags & mjDSBL_GRAVITY;
+void add_world(const Model& m, Reasons& out) {
+  const double* g = m.gravity;
+  const bool off = *m.disableflags & m.no_gravity;
   if (off || !(g[2] < 0.0) || std::hypot(g[0], g[1]) > 1e-6 * std::abs(g[2]))
     out.push_back({"gravity", "gravity is (" + number(g[0]) + ", " + number(g[1]) + ", " + number(g[2]) + ") m/s^2" +
                                   (off ? " and switched off" : "") + "; zmpwalk walks where it points down along z"});
-  if (!(m->opt.timestep > 0.0) || !std::isfinite(m->opt.timestep))
-    out.push_back({"time step", "the model's time step is " + number(m->opt.timestep) +
+  if (!(*m.timestep > 0.0) || !std::isfinite(*m.timestep))
+    out.push_back({"time step", "the model's time step is " + number(*m.timestep) +
                                     " s; walking takes one that is finite and greater than 0"});
-  if (m->opt.disableflags & (mjDSBL_CONTACT | mjDSBL_CONSTRAINT))
+  if (*m.disableflags & (m.no_contact | m.no_constraint))
     out.push_back({"contacts", "the model's option flags switch contacts off; walking needs them"});
 }
 
-void add_joints(const mjModel* m, const RobotParts& robot, const std::set<int>& legs, Reasons& out) {
+void add_joints(const Model& m, const RobotParts& robot, const std::set<int>& legs, Reasons& out) {
   const std::vector<int> of_base =
       free_joint_of(m, robot.root_body) < 0 ? base_joints(m, robot.root_body) : std::vector<int>{};
   std::vector<std::string> nameless;
   for (const int j : tree_joints(m, robot.root_body)) {
     if (contains(of_base, j)) continue;  // a free joint comes in their place
-    if (object_name(m, mjOBJ_JOINT, j).empty())
-      nameless.push_back("joint " + std::to_string(j) + " at body " + label(m, mjOBJ_BODY, m->jnt_bodyid[j]));
-    if (m->jnt_type[j] == mjJNT_BALL && !legs.count(j))
-      out.push_back({"joint", "joint " + label(m, mjOBJ_JOINT, j) +
+    if (object_name(m, mj::kJoint, j).empty())
+      nameless.push_back("joint " + std::to_string(j) + " at body " + label(m, mj::kBody, m.jnt_bodyid[j]));
+    if (m.jnt_type[j] == mj::kBall && !legs.count(j))
+      out.push_back({"joint", "joint " + label(m, mj::kJoint, j) +
                                   " is neither hinge nor slide but a ball joint; write it as three hinges"});
-    for (int a = 0; a < mujoco_compat::actuator_count(m); ++a) {
+    for (int a = 0; a < m.nactuator; ++a) {
       const char* range = turns_joint(m, a, j) ? range_without_rest(m, a) : nullptr;
       if (range)
-        out.push_back({"motor", "motor of joint " + label(m, mjOBJ_JOINT, j) + " has a " + range +
+        out.push_back({"motor", "motor of joint " + label(m, mj::kJoint, j) + " has a " + range +
                                     " range without 0 inside; use " + range + "range=\"-tau tau\""});
     }
   }
   for (const LegParts& leg : robot.legs)
-    if (leg.foot >= 0 && object_name(m, mjOBJ_BODY, leg.foot).empty())
+    if (leg.foot >= 0 && object_name(m, mj::kBody, leg.foot).empty())
       nameless.push_back(foot_of(leg) + ", body " + std::to_string(leg.foot) + ",");
   if (!nameless.empty())
     out.push_back({"names", listed(nameless) + (nameless.size() > 1 ? " have no names" : " has no name") +
@@ -57,7 +57,7 @@ void add_joints(const mjModel* m, const RobotParts& robot, const std::set<int>& 
 }
 
 /// The rules about the tree: legs, soles, joints, and what acts on them.
-void add_robot(const mjModel* m, const RobotParts& robot, const mjData* upright, Reasons& out) {
+void add_robot(const Model& m, const RobotParts& robot, const std::optional<Data>& upright, Reasons& out) {
   std::set<int> taken;
   add_legs(m, robot, upright, taken, out);
   add_joints(m, robot, taken, out);
@@ -65,7 +65,7 @@ void add_robot(const mjModel* m, const RobotParts& robot, const mjData* upright,
 }
 
 /// Throws InputError where there are not two legs, or a number is that of nothing in the model.
-void require_numbers(const mjModel* m, const RobotParts& robot) {
+void require_numbers(const Model& m, const RobotParts& robot) {
   const auto require = [](const char* what, int id, int count) {
     if (id < 0 || id >= count)
       throw InputError(std::string(what) + " " + std::to_string(id) + " does not exist; the model has " +
@@ -73,32 +73,32 @@ void require_numbers(const mjModel* m, const RobotParts& robot) {
   };
   if (robot.legs.size() != 2)
     throw InputError("the robot has " + std::to_string(robot.legs.size()) + " legs; zmpwalk walks on 2");
-  require("body", robot.root_body, m->nbody);
+  require("body", robot.root_body, m.nbody);
   for (const LegParts& leg : robot.legs) {
-    require("body", leg.foot, m->nbody);
-    for (const int joint : leg.joints) require("joint", joint, m->njnt);
+    require("body", leg.foot, m.nbody);
+    for (const int joint : leg.joints) require("joint", joint, m.njnt);
   }
 }
 
 }  // namespace
 
-std::vector<int> chain_joints(const mjModel* m, const RobotParts& robot) {
+std::vector<int> chain_joints(const Model& m, const RobotParts& robot) {
   std::set<int> joints;
   for (const LegParts& leg : robot.legs)
     for (const int body : ancestors(m, leg.foot))
       for (const int j : joints_of(m, body))
-        if (m->jnt_type[j] != mjJNT_FREE) joints.insert(j);
+        if (m.jnt_type[j] != mj::kFree) joints.insert(j);
   return {joints.begin(), joints.end()};
 }
 
-Reasons model_reasons(const mjModel* m) {
+Reasons model_reasons(const Model& m) {
   Reasons out;
   add_base(m, largest_tree(m), out);
   add_world(m, out);
   return out;
 }
 
-Reasons model_reasons(const mjModel* m, const RobotParts& robot, const mjData* upright) {
+Reasons model_reasons(const Model& m, const RobotParts& robot, const std::optional<Data>& upright) {
   require_numbers(m, robot);
   Reasons out;
   add_base(m, robot.root_body, out);
@@ -107,13 +107,13 @@ Reasons model_reasons(const mjModel* m, const RobotParts& robot, const mjData* u
   return out;
 }
 
-Reasons model_reasons(const mjModel* m, const RobotDescription& description) {
+Reasons model_reasons(const Model& m, const RobotDescription& description) {
   Reasons out, of_robot;
   Names names(m);
   const RobotParts robot = parts_of(m, description, names);
   if (robot.root_body > 0) {
     add_base(m, robot.root_body, out);
-    add_robot(m, robot, nullptr, of_robot);
+    add_robot(m, robot, std::nullopt, of_robot);
     add_description(m, description, robot.root_body, names, of_robot);
   } else if (!names.is_missing()) {
     out.push_back({"base", "the description's feet are the world and it has no root_joint: it describes no robot"});

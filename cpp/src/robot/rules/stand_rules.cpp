@@ -59,7 +59,7 @@ void add_leg_at_stand(const Robot& robot, Side side, Reasons& out) {
 
 }  // namespace
 
-Reasons stand_reasons(const Robot& robot, const mjData* d) {
+Reasons stand_reasons(const Robot& robot, const Data& d) {
   Reasons out;
   for (const Side side : kSides) add_leg_at_stand(robot, side, out);
   add_uncoupled(robot.model(), robot.root_body(), d, out);

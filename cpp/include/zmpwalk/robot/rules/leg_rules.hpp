@@ -21,7 +21,8 @@ void add_leg_axes(const std::string& leg, const LegAxes& axes, const Vec3& forwa
 /// no point foot. Where a pose is given, the directions of the axes are checked too (`model_reasons` says which pose).
 ///
 /// @param taken  the joints that belong to legs
-void add_legs(const mjModel* m, const RobotParts& robot, const mjData* upright, std::set<int>& taken, Reasons& out);
+void add_legs(const Model& m, const RobotParts& robot, const std::optional<Data>& upright, std::set<int>& taken,
+              Reasons& out);
 
 /// How sentences call a foot: "the left foot", or "the foot" where its side is not known.
 std::string foot_of(const LegParts& leg);

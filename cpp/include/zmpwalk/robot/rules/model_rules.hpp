@@ -1,7 +1,5 @@
 #pragma once
 
-#include <mujoco/mujoco.h>
-
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,19 +38,19 @@ struct RobotParts {
 };
 
 /// What is wrong with the model itself: its gravity, time step or contacts, or that the tree with most joints is fixed to the world.
-Reasons model_reasons(const mjModel* m);
+Reasons model_reasons(const Model& m);
 
 /// What is wrong with the model and with a robot in it: also base, legs, soles, joints, motors, and what acts on the robot without being modelled.
 ///
 /// `upright` is a pose, after mj_kinematics and mj_comPos, in which the feet are level and look `forward`. If both are given, the directions of the
 /// legs' axes are checked too. Without a pose `stand_reasons` checks them later.
-Reasons model_reasons(const mjModel* m, const RobotParts& robot, const mjData* upright = nullptr);
+Reasons model_reasons(const Model& m, const RobotParts& robot, const std::optional<Data>& upright = std::nullopt);
 
 /// The same for the robot that a description names. It also checks that the names exist, the start pose and the torque limits.
-Reasons model_reasons(const mjModel* m, const RobotDescription& description);
+Reasons model_reasons(const Model& m, const RobotDescription& description);
 
 /// Joints between the base and the feet: legs, and a waist that they hang from.
-std::vector<int> chain_joints(const mjModel* m, const RobotParts& robot);
+std::vector<int> chain_joints(const Model& m, const RobotParts& robot);
 
 /// Does nothing where there is no reason. @throws ModelError  there are reasons; it carries all of them
 void require_none(const Reasons& reasons);

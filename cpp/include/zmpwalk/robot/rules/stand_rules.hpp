@@ -1,7 +1,5 @@
 #pragma once
 
-#include <mujoco/mujoco.h>
-
 #include "zmpwalk/robot/rules/model_rules.hpp"
 
 namespace zmpwalk {
@@ -12,6 +10,6 @@ class Robot;
 /// of the model does not hold there.
 ///
 /// @param d  the start pose, which `robot` has read, after mj_tendon
-Reasons stand_reasons(const Robot& robot, const mjData* d);
+Reasons stand_reasons(const Robot& robot, const Data& d);
 
 }  // namespace zmpwalk
