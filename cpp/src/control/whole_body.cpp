@@ -37,6 +37,11 @@ std::array<int, TaskSolver::kUnknowns> unknowns_of(const std::array<std::vector<
 
 }  // namespace
 
+TaskSlack::TaskSlack(int nv) : f_c(Eigen::Matrix<double, 12, 4 * kGroups>::Zero()) {
+  ddq.fill(Group::Zero(nv, 4));
+  w.fill(Group::Zero(nv, 4));
+}
+
 WholeBodyController::WholeBodyController(int nv, const std::array<std::vector<int>, 2>& legs,
                                          const WholeBodyOptions& options)
     : nv_(nv),
@@ -312,6 +317,106 @@ void WholeBodyController::solve(const Vec2& f_xy, WholeBodyResult& out) const {
     f[side] = stance_.standing[side] ? Vec6(out.f_c.segment<6>(6 * side)) : Vec6(Vec6::Zero());
   kernel_->joint_torque(nv_ - 6, w_.row(6).data(), at_4.data(), dyn.sole[kLeft].J.col(6).data(), f[kLeft].data(),
                         dyn.sole[kRight].J.col(6).data(), f[kRight].data(), out.tau.data());
+}
+
+Vec2 WholeBodyController::zmp_of(const Vec12& f_c) const {
+  const Vec3& s = feet_[stance_.support].p_WF;
+  const Wrench total = total_wrench(f_c, {feet_[kLeft].p_WF, feet_[kRight].p_WF}, s);
+  return zmp_on_plane(total.F, total.M, s, plane_).head<2>();
+}
+
+void WholeBodyController::slack(const TaskGive& give, const WholeBodyResult& now, const std::vector<int>& posture,
+                                TaskSlack& out) const {
+  using Known = Eigen::Matrix<double, kUnknowns, 4>;
+  const Dynamics& dyn = *dynamics_;
+  const bool both = stance_.both();
+  const int joints = nv_ - 6;
+  out.columns = TaskSlack::kOwn + static_cast<int>(posture.size());
+
+  // K x = -(columns of what is known) + (what is asked of soles and COM).
+  const TaskSolver::Rows K = rows_together();
+  Eigen::PartialPivLU<TaskSolver::Rows> lu;
+  Eigen::LLT<TaskSolver::Rows> llt;
+  if (damped_) {
+    TaskSolver::Rows gram = K * K.transpose();
+    gram.diagonal().array() += options_.damping * options_.damping;
+    llt.compute(gram);
+  } else {
+    lu.compute(K);
+  }
+  const auto bring_over = [&](int dof, double ddq, Known& rhs, int c) {
+    rhs.col(c).head<6>() -= ddq * dyn.sole[kLeft].J.col(dof);
+    rhs.col(c).segment<6>(6) -= ddq * dyn.sole[kRight].J.col(dof);
+    rhs.col(c).tail<3>() -= ddq * dyn.J_com.col(dof);
+  };
+  const Vec3 &s = dyn.sole[stance_.support].p_WF, base = dyn.p_WB - s,
+             middle = 0.5 * (dyn.sole[kLeft].p_WF + dyn.sole[kRight].p_WF);
+  const double load_left = both ? now.f_c[2] / (now.f_c[2] + now.f_c[8]) : (stance_.standing[kLeft] ? 1.0 : 0.0);
+
+  for (int g = 0; 4 * g < out.columns; ++g) {
+    TaskSlack::Group &ddq = out.ddq[g], &w = out.w[g];
+    Known rhs = Known::Zero();
+    ddq.setZero();
+    bool moves = false;
+    for (int c = 0; c < 4 && 4 * g + c < out.columns; ++c) {
+      const int k = 4 * g + c;
+      if (k < 3) {
+        rhs(12 + k, c) = k < 2 ? give.com : give.height;
+      } else if (k < 6) {
+        ddq.col(c).segment<3>(3) = give.trunk * dyn.R_WB.row(k - 3).transpose();
+        for (int i = 3; i < 6; ++i) bring_over(i, ddq(i, c), rhs, c);
+      } else if (k < TaskSlack::kOwn) {
+        if (both) continue;
+        rhs(6 * stance_.swing() + k - 6, c) = k < 9 ? give.swing : give.swing_angular;
+      } else {
+        const int dof = 6 + posture[k - TaskSlack::kOwn];
+        ddq(dof, c) = give.posture;
+        bring_over(dof, give.posture, rhs, c);
+      }
+      moves = true;
+    }
+    if (moves) {
+      const Known x = damped_ ? Known(K.transpose() * llt.solve(rhs)) : Known(lu.solve(rhs));
+      for (int i = 0; i < kUnknowns; ++i) ddq.row(unknown_[i]) = x.row(i);
+      kernel_->multiply(nv_, dyn.A.data(), dyn.A_sparsity.spans(), ddq.data(), w.data());
+    } else {
+      w.setZero();
+    }
+
+    // Wrenches from the base rows, torques from the joints' rows.
+    auto f_c = out.f_c.middleCols<4>(4 * g);
+    f_c.setZero();
+    for (int c = 0; c < 4 && 4 * g + c < out.columns; ++c) {
+      const Vec3 F = -w.col(c).head<3>(), M = base.cross(F) - dyn.R_WB * w.col(c).segment<3>(3);
+      for (const Side side : kSides) {
+        if (!stance_.standing[side]) continue;
+        const Vec3& p = dyn.sole[side].p_WF;
+        const double share = side == kLeft ? load_left : 1.0 - load_left;
+        f_c.col(c).segment<3>(6 * side) = share * F;
+        f_c.col(c).segment<3>(6 * side + 3) = share * (M + (s - p).cross(F));
+        const int k = 4 * g + c - 6;
+        if (!both || k < 0 || k >= 6) continue;
+        Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
+        (k < 3 ? force : moment)[k % 3] = side_sign(side) * (k < 3 ? give.load_force : give.load_moment);
+        f_c.col(c).segment<3>(6 * side) += force;
+        f_c.col(c).segment<3>(6 * side + 3) += moment + (middle - p).cross(force);
+      }
+    }
+    for (const Side side : kSides)
+      if (stance_.standing[side])
+        w.bottomRows(joints).noalias() +=
+            dyn.sole[side].J.rightCols(joints).transpose().lazyProduct(f_c.middleRows<6>(6 * side));
+  }
+}
+
+void WholeBodyController::apply(const TaskSlack& slack, const ConstVecRef& y, WholeBodyResult& out) const {
+  for (int k = 0; k < slack.columns; ++k) {
+    const auto g = static_cast<std::size_t>(k / 4);
+    out.ddq += y[k] * slack.ddq[g].col(k % 4);
+    out.tau += y[k] * slack.w[g].col(k % 4).tail(nv_ - 6);
+    for (const Side side : kSides)
+      if (stance_.standing[side]) out.f_c.segment<6>(6 * side) += y[k] * slack.f_c.col(k).segment<6>(6 * side);
+  }
 }
 
 }  // namespace zmpwalk

@@ -45,6 +45,7 @@ WalkingController::WalkingController(const mjModel* model, const RobotDescriptio
                   {settings_.control.textbook, settings_.posture.task, settings_.contact.wrench_distribution,
                    settings_.contact.load_alone * 0.5 * sole_.width, settings_.contact.damping,
                    settings_.control.singular_damping, settings_.control.singular_pivot, settings_.control.kernel}),
+      limits_(limits_of(robot_, settings_), whole_body_),
       estimator_(robot_.nv()),
       fall_(settings_),
       clock_(settings_.control.dt),
@@ -355,11 +356,27 @@ void WalkingController::decide_reference(const Cycle& cycle, const Vec2& shift) 
 
 void WalkingController::limit_torque(const GaitOutput& gait) {
   const VecX& limit = robot_.torque_limit();
-  out_.f_c = result_.f_c;
-  out_.damped = result_.damped;
   out_.torque_ratio = (result_.tau.cwiseAbs().array() / limit.array()).maxCoeff();
-  out_.saturated = !(out_.torque_ratio <= 1.0);
+  out_.damped = result_.damped;
+  out_.saturated = false;
+  out_.limits = {};
+  const bool keeps = settings_.limits.keep && whole_body_.is_direct();
+  if (keeps ? !limits_.keep(robot_.dynamics(), stance_, result_) : !(out_.torque_ratio <= 1.0)) {
+    cut_torque(gait);
+    return;
+  }
+  out_.tau = result_.tau;
+  out_.f_c = result_.f_c;
+  if (!keeps || !limits_.active().any()) return;
+  out_.limits = limits_.active();
+  out_.zmp_est = whole_body_.zmp_of(result_.f_c);
+}
+
+void WalkingController::cut_torque(const GaitOutput& gait) {
+  const VecX& limit = robot_.torque_limit();
   out_.tau = result_.tau.cwiseMax(-limit).cwiseMin(limit);
+  out_.f_c = result_.f_c;
+  out_.saturated = !(out_.torque_ratio <= 1.0);
   if (!out_.saturated) return;
   // The estimate speaks of the torque that is sent: (9) with the cut torque.
   const Dynamics& dyn = robot_.dynamics();

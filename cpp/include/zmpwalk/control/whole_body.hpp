@@ -55,6 +55,41 @@ struct WholeBodyResult {
   bool damped = false;        ///< a leg was near singular and the motion was damped
 };
 
+/// How easily each task gives way where limits force it to: the change that counts as much as one of any other.
+///
+/// Changes are counted in these sizes and their squares are added up: what has the largest size gives first. The feet's share of the
+/// load is no task and gives first of all; then the swing foot, the trunk, the height of the COM, and last what keeps the balance, the
+/// COM's horizontal acceleration.
+struct TaskGive {
+  double com = 0.3, height = 3.0;              ///< [m/s^2]
+  double trunk = 30.0;                         ///< [rad/s^2]
+  double swing = 20.0, swing_angular = 200.0;  ///< [m/s^2], [rad/s^2]
+  double posture = 100.0;                      ///< of each joint outside the legs [rad/s^2]
+  double load_force = 1.0, load_moment = 1.0;  ///< that one foot takes over from the other [N], [N m]
+};
+
+/// How motion, wrenches and torque answer a change of what the tasks ask for; each column in the size of `TaskGive`.
+///
+/// Columns 0-2: COM x, y, z; 3-5: trunk; 6-11: swing sole, linear then angular, or in double support the force and moment that the left
+/// foot takes over from the right, about the middle between the sole centres; then joints outside the legs. All along the world's axes.
+/// They lie in groups of four, as `Kernel` wants them.
+struct TaskSlack {
+  static constexpr int kOwn = 12, kPosture = 11, kMost = kOwn + kPosture, kGroups = (kMost + 3) / 4;
+  using Group = TaskSolver::Affine;
+
+  explicit TaskSlack(int nv);
+  /// Row i of `of` in all columns in use, into `out` (columns,).
+  template <class Out>
+  void row(const std::array<Group, kGroups>& of, Eigen::Index i, Out&& out) const {
+    for (int k = 0; k < columns; ++k) out[k] = of[static_cast<std::size_t>(k / 4)](i, k % 4);
+  }
+
+  int columns = 0;                             ///< in use
+  std::array<Group, kGroups> ddq;              ///< (nv,)
+  std::array<Group, kGroups> w;                ///< A ddq, and in the rows of the joints their torque (nv,)
+  Eigen::Matrix<double, 12, 4 * kGroups> f_c;  ///< left then right, zero where a foot is in the air
+};
+
 /// Contact-consistent whole-body control of a biped: COM, trunk orientation, swing foot and posture, stacked.
 ///
 /// With posture stacked the motion is fully determined (single support 6 + 25 rows, double support 12 + 19, for 31
@@ -109,6 +144,19 @@ class WholeBodyController {
 
   /// Eq. 1-7: torque for COM acceleration `f_xy`. Writes into `out`, whose vectors are sized by `result()`.
   void solve(const Vec2& f_xy, WholeBodyResult& out) const;
+
+  /// What changes with the tasks' accelerations at this instant; on the direct path alone. Allocates nothing.
+  ///
+  /// A change of the total wrench is shared by two feet as they share the load in `now`. User's tasks are not kept by these changes.
+  /// @param posture  joints outside the legs that may give, up to `TaskSlack::kPosture`
+  void slack(const TaskGive& give, const WholeBodyResult& now, const std::vector<int>& posture, TaskSlack& out) const;
+  /// Changes `out` by the columns of `slack` times y.
+  void apply(const TaskSlack& slack, const ConstVecRef& y, WholeBodyResult& out) const;
+  /// World x and y of the ZMP of the feet's wrenches on `zmp_plane` (2,) [m]: eq. 14, 15.
+  Vec2 zmp_of(const Vec12& f_c) const;
+  /// True where torque, motion and wrenches are known to be affine in the tasks: on the direct path.
+  bool is_direct() const { return !uses_textbook(); }
+  const std::vector<int>& posture_joints() const { return posture_; }
 
   WholeBodyResult result() const;
   const WholeBodyOptions& options() const { return options_; }

@@ -30,6 +30,7 @@ struct WalkSettings {
   ArmsSettings arms;
   ContactSettings contact;
   ControlSettings control;
+  LimitsSettings limits;
   FallSettings fall;
 };
 
@@ -37,7 +38,7 @@ struct WalkSettings {
 template <class Settings, class Visitor>
 void visit_groups(Settings& s, Visitor&& v) {
   v(s.gait), v(s.steps), v(s.swing), v(s.com), v(s.zmp), v(s.tracking), v(s.rate), v(s.trunk), v(s.posture), v(s.arms),
-      v(s.contact), v(s.control), v(s.fall);
+      v(s.contact), v(s.control), v(s.limits), v(s.fall);
 }
 
 /// Calls `v(member, row)` for every setting of a group.
@@ -61,6 +62,13 @@ void visit_settings(Settings& s, Visitor&& v) {
 /// the hip is x = v (T + T_ds) / 2 ahead of the ankle.
 /// @param s T_ss, T_ds set   @param lift h [m]   @param speed v [m/s]
 double knee_share(const RobotScale& robot, const WalkSettings& s, double lift, double speed);
+
+/// Yaw moment with which the swing leg turns the stance foot, over the moment at which its sole slips.
+///
+/// The foot's cubic starts with 6 (2 v T) / T_ss^2 forward, half of the leg's mass goes with it, one step width beside the stance
+/// foot; the sole holds friction times weight times its radius.
+/// @param s T_ss, T_ds, width set   @param speed v [m/s]
+double twist_share(const RobotScale& robot, const WalkSettings& s, double speed);
 
 /// `settings` with every NaN replaced by the robot's value, all checked.
 /// @param top_speed  that the robot is to walk at [m/s]

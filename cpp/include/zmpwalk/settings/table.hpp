@@ -21,6 +21,8 @@ double first_double_support(double, const Scale& scale);
 double cadence_exponent(double, const Scale& scale);
 double feet_apart(double, const Scale& scale);
 double step_height(double, const Scale& scale);
+double friction(double, const Scale& scale);
+double arm_momentum(double, const Scale& scale);
 }  // namespace defaults
 
 struct GaitSettings {
@@ -347,11 +349,15 @@ struct ArmsSettings {
   static constexpr const char* kGroup = "arms";
   static constexpr const char* kMeaning = "How the arms swing so that the robot does not turn about the vertical.";
 
-  double momentum = 0.0, kp = kNaN, kd = kNaN;
+  double momentum = kNaN, kp = kNaN, kd = kNaN;
 
   template <class Self, class Visitor>
   static void rows(Self& g, Visitor&& v) {
-    v(g.momentum, "momentum", "momentum_arms", "", must_be::kShare, {},
+    v(g.momentum, "momentum", "momentum_arms", "", must_be::kShare,
+      {"1 where the robot has arms and the swing leg's yaw moment, at 0.15 sqrt(g z_c), takes more than a third of "
+       "what "
+       "the sole's friction holds; else 0",
+       defaults::arm_momentum},
       "Share of the yaw momentum of legs and trunk that the arms cancel by swinging, 0 to 1. Joints that a motion "
       "names do not swing.");
     v(g.kp, "kp", "momentum_kp", "1/s^2", must_be::kNotNegative, {20.0, of::kStiffness},
@@ -413,6 +419,34 @@ struct ControlSettings {
     v(g.torque_limits, "torque_limits", "torque_limits", "N m", must_be::kPositive, {},
       "Torque limits by joint name, in place of the robot's own. A motor still gives no more than the model lets "
       "through.");
+  }
+};
+
+struct LimitsSettings {
+  static constexpr const char* kGroup = "limits";
+  static constexpr const char* kMeaning =
+      "What a torque must keep to: the joints' torques and ranges, and what the soles can hold.";
+
+  bool keep = true;
+  double friction = kNaN, twist = 1.25, range_margin = 0.0, range_rate = kNaN;
+
+  template <class Self, class Visitor>
+  static void rows(Self& g, Visitor&& v) {
+    v(g.keep, "keep", "keep_limits", "", must_be::kAnything, {},
+      "Whether the nearest torque that keeps the limits is found where the closed form's torque would break one: the "
+      "tasks give way, first the swing foot, then the trunk, the COM's height, and last its horizontal acceleration. "
+      "With false torques are cut to their limits, and nothing else is kept.");
+    v(g.friction, "friction", "friction", "", must_be::kPositive,
+      {"that of the soles in the model", defaults::friction},
+      "Friction of the soles: tangential force per normal force that they can hold.");
+    v(g.twist, "twist", "twist_share", "", must_be::kPositive, {},
+      "Moment about the vertical that a sole may give, as a share of what its friction holds while it turns about its "
+      "centre. A little more than 1 leaves short peaks to the sole, which turns by a trace, and not to the walk.");
+    v(g.range_margin, "range_margin", "range_margin", "rad", must_be::kNotNegative, {},
+      "How far from the ends of its range a joint comes to rest.");
+    v(g.range_rate, "range_rate", "range_rate", "1/s", must_be::kPositive, {120.0, of::kDamping},
+      "How fast a joint may still move towards the end of its range: it comes to rest there as a critically damped "
+      "joint of this damping does. A small rate brakes early.");
   }
 };
 
