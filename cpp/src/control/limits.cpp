@@ -8,10 +8,9 @@
 namespace zmpwalk {
 namespace {
 
-constexpr double kRounding = 1e-9;  // of a limit: what the closed form may seem to break it by
-constexpr double kSolved = 1e-6;    // of a limit: what the method may leave
-constexpr double kNear = 1.0;       // of a limit: rows that are further away wait for the second attempt
-constexpr double kStrained = 0.9;  // of a limit: joints outside the legs that are beyond may give in the second attempt
+constexpr double kRounding = 1e-9;    // of a limit: what the closed form may seem to break it by
+constexpr double kSolved = 1e-6;      // of a limit: what the method may leave
+constexpr double kNear = 1.0;         // of a limit: rows that are further away wait for the second attempt
 constexpr double kRangeSize = 100.0;  // acceleration in which the room of a joint's range is measured [rad/s^2]
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kElastic = 1e-4;    // of a limit: by which soles and ranges give where nothing else helps
@@ -101,7 +100,6 @@ LimitKeeper::LimitKeeper(const RobotLimits& limits, const WholeBodyController& w
   give_.swing_angular *= kHeight / limits.height;
   give_.load_force = kLoadShare * limits.weight;
   give_.load_moment = kLoadLever * limits.height * give_.load_force;
-  posture_.reserve(TaskSlack::kPosture);
   rows_.reserve(4 * limits.range.size() + 2 * kSoleRows);
   for (auto& [low, high] : limits_.range) {
     const double margin = std::min(limits.range_margin, 0.5 * (high - low));
@@ -117,18 +115,23 @@ bool LimitKeeper::are_kept(const Dynamics& dyn, const Stance& stance, const Whol
     const double k = limits_.range_rate, q = dyn.q[j], dq = dyn.dq[6 + j], ddq = out.ddq[6 + j];
     upper_[j] = k * (0.25 * k * std::max(high - q, 0.0) - dq);
     lower_[j] = k * (0.25 * k * std::min(low - q, 0.0) - dq);
-    kept &= std::abs(out.tau[j]) <= limits_.torque[j] && ddq <= upper_[j] && ddq >= lower_[j];
+    if (in_leg_[static_cast<std::size_t>(j)])
+      kept &= std::abs(out.tau[j]) <= limits_.torque[j] && ddq <= upper_[j] && ddq >= lower_[j];
   }
   for (const Side side : kSides) {
     if (!stance.standing[side]) continue;
-    const Mat3& R = dyn.sole[side].R_WF;
-    Vec6 f;
-    f.head<3>() = -R.transpose() * out.f_c.segment<3>(6 * side);
-    f.tail<3>() = -R.transpose() * out.f_c.segment<3>(6 * side + 3);
-    sole_room_[side].noalias() = sole_rows_[side] * f;
+    sole_room_[side] = sole_room(side, out);
     kept &= sole_room_[side].minCoeff() >= -kRounding;
   }
   return kept;
+}
+
+LimitKeeper::SoleRoom LimitKeeper::sole_room(Side side, const WholeBodyResult& out) const {
+  const Mat3& R = whole_body_->feet()[side].R_WF;
+  Vec6 f;
+  f.head<3>().noalias() = -R.transpose() * out.f_c.segment<3>(6 * side);
+  f.tail<3>().noalias() = -R.transpose() * out.f_c.segment<3>(6 * side + 3);
+  return sole_rows_[side].lazyProduct(f);
 }
 
 bool LimitKeeper::keep(const Dynamics& dyn, const Stance& stance, WholeBodyResult& out) {
@@ -138,27 +141,23 @@ bool LimitKeeper::keep(const Dynamics& dyn, const Stance& stance, WholeBodyResul
     excess_ = 0.0;
   }
   if (are_kept(dyn, stance, out)) return true;
-  posture_.clear();
-  if (solve(stance, out, kNear)) return true;
-  find_joints_that_give(out);
-  return solve(stance, out, kInfinity);
+  return solve(stance, out, kNear) || solve(stance, out, kInfinity);
 }
 
-void LimitKeeper::find_joints_that_give(const WholeBodyResult& out) {
-  for (const int j : whole_body_->posture_joints()) {
-    const double ddq = out.ddq[6 + j];
-    const bool strained = std::abs(out.tau[j]) > kStrained * limits_.torque[j] || ddq > upper_[j] || ddq < lower_[j];
-    if (strained && posture_.size() < TaskSlack::kPosture) posture_.push_back(j);
+bool LimitKeeper::has_kept(const Stance& stance, const WholeBodyResult& out, double excess) const {
+  for (int j = 0; j < static_cast<int>(upper_.size()); ++j) {
+    if (!in_leg_[static_cast<std::size_t>(j)]) continue;
+    if (!(std::abs(out.tau[j]) <= (1.0 + kSolved) * limits_.torque[j])) return false;
+    const double ddq = out.ddq[6 + j], beyond = (excess + kSolved) * kRangeSize;
+    if (!(ddq <= upper_[j] + beyond && ddq >= lower_[j] - beyond)) return false;
   }
-}
-
-bool LimitKeeper::may_move(int joint) const {
-  return in_leg_[static_cast<std::size_t>(joint)] ||
-         std::find(posture_.begin(), posture_.end(), joint) != posture_.end();
+  for (const Side side : kSides)
+    if (stance.standing[side] && !(sole_room(side, out).minCoeff() >= -excess - kSolved)) return false;
+  return true;
 }
 
 bool LimitKeeper::solve(const Stance& stance, WholeBodyResult& out, double near) {
-  whole_body_->slack(give_, out, posture_, slack_);
+  whole_body_->slack(give_, out, {}, slack_);
   const bool elastic = std::isinf(near);
   const int columns = slack_.columns;
   least_.begin(columns + elastic);
@@ -173,6 +172,7 @@ bool LimitKeeper::solve(const Stance& stance, WholeBodyResult& out, double near)
   const auto entries_at = [&](double* entries) { return Eigen::Map<Eigen::RowVectorXd>(entries, columns); };
 
   for (int j = 0; j < static_cast<int>(upper_.size()); ++j) {
+    if (!in_leg_[static_cast<std::size_t>(j)]) continue;
     const double limit = limits_.torque[j];
     for (const double sign : {1.0, -1.0}) {
       const double room = 1.0 - sign * out.tau[j] / limit;
@@ -182,7 +182,7 @@ bool LimitKeeper::solve(const Stance& stance, WholeBodyResult& out, double near)
         entries *= -sign / limit;
       }
       const double stop = sign * ((sign > 0.0 ? upper_ : lower_)[j] - out.ddq[6 + j]) / kRangeSize;
-      if (stop < near && std::isfinite(stop) && may_move(j)) {
+      if (stop < near && std::isfinite(stop)) {
         auto entries = entries_at(add(Kind::kRange, j, stop));
         slack_.row(slack_.ddq, 6 + j, entries);
         entries *= -sign / kRangeSize;
@@ -204,13 +204,16 @@ bool LimitKeeper::solve(const Stance& stance, WholeBodyResult& out, double near)
 
   changed_ = out;
   whole_body_->apply(slack_, least_.y(), changed_);
-  for (Eigen::Index j = 0; j < upper_.size(); ++j)
-    if (!(std::abs(changed_.tau[j]) <= (1.0 + kSolved) * limits_.torque[j])) return false;
+  const double excess = elastic ? std::max(kElastic * least_.y()[columns], 0.0) : 0.0;
+  if (!has_kept(stance, changed_, excess)) return false;
   out.ddq = changed_.ddq;
   out.f_c = changed_.f_c;
-  out.tau = changed_.tau.cwiseMin(limits_.torque).cwiseMax(-limits_.torque);  // what rounding left
+  out.tau = changed_.tau;
+  for (Eigen::Index j = 0; j < out.tau.size(); ++j)
+    if (in_leg_[static_cast<std::size_t>(j)])  // what rounding left
+      out.tau[j] = std::clamp(out.tau[j], -limits_.torque[j], limits_.torque[j]);
   change_.head(columns) = least_.y().head(columns);
-  excess_ = elastic ? std::max(kElastic * least_.y()[columns], 0.0) : 0.0;
+  excess_ = excess;
   for (std::size_t i = 0; i < rows_.size(); ++i)
     if (least_.is_active(static_cast<int>(i))) note(rows_[i]);
   return true;

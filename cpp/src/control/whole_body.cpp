@@ -370,8 +370,8 @@ void WholeBodyController::slack(const TaskGive& give, const WholeBodyResult& now
         rhs(6 * stance_.swing() + k - 6, c) = k < 9 ? give.swing : give.swing_angular;
       } else {
         const int dof = 6 + posture[k - TaskSlack::kOwn];
-        ddq(dof, c) = give.posture;
-        bring_over(dof, give.posture, rhs, c);
+        ddq(dof, c) = give.posture / dyn.A(dof, dof);
+        bring_over(dof, ddq(dof, c), rhs, c);
       }
       moves = true;
     }

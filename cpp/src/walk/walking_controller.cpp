@@ -361,23 +361,20 @@ void WalkingController::limit_torque(const GaitOutput& gait) {
   out_.saturated = false;
   out_.limits = {};
   const bool keeps = settings_.limits.keep && whole_body_.is_direct();
-  if (keeps ? !limits_.keep(robot_.dynamics(), stance_, result_) : !(out_.torque_ratio <= 1.0)) {
+  if (keeps && limits_.keep(robot_.dynamics(), stance_, result_)) out_.limits = limits_.active();
+  if ((result_.tau.array().abs() > limit.array()).any() || !result_.tau.allFinite()) {
     cut_torque(gait);
     return;
   }
   out_.tau = result_.tau;
   out_.f_c = result_.f_c;
-  if (!keeps || !limits_.active().any()) return;
-  out_.limits = limits_.active();
-  out_.zmp_est = whole_body_.zmp_of(result_.f_c);
+  if (out_.limits.any()) out_.zmp_est = whole_body_.zmp_of(result_.f_c);
 }
 
 void WalkingController::cut_torque(const GaitOutput& gait) {
   const VecX& limit = robot_.torque_limit();
   out_.tau = result_.tau.cwiseMax(-limit).cwiseMin(limit);
-  out_.f_c = result_.f_c;
-  out_.saturated = !(out_.torque_ratio <= 1.0);
-  if (!out_.saturated) return;
+  out_.saturated = true;
   // The estimate speaks of the torque that is sent: (9) with the cut torque.
   const Dynamics& dyn = robot_.dynamics();
   int rows = 0;

@@ -65,9 +65,9 @@ struct RobotLimits {
 /// The torque nearest to that of the closed form that keeps all limits.
 ///
 /// Nearest is said of the tasks: they give way as `TaskGive` says, until
-///   - every joint torque is within its limit,
+///   - every torque of a leg's joint is within its limit; those of the other joints are not looked at,
 ///   - every standing sole gives a wrench that it can, `sole_rows`,
-///   - every joint can still stop before the end of its range: ddq <= k (k/4 (end - q) - dq), which comes to rest there as a critically
+///   - every joint of a leg can still stop before the end of its range: ddq <= k (k/4 (end - q) - dq), which comes to rest there as a critically
 ///     damped joint does; the same at the other end.
 /// Motion, wrenches and torque are affine in what gives, so that this is `LeastChange`; what comes out satisfies the equations of motion
 /// as the closed form does. Where no motion keeps all limits, first the soles' and ranges' give, by as little as it takes.
@@ -91,6 +91,7 @@ class LimitKeeper {
   int passes() const { return least_.passes(); }  ///< of the last `LeastChange`
 
  private:
+  using SoleRoom = Eigen::Matrix<double, kSoleRows, 1>;  // of the rows, in shares of their limits
   enum class Kind { kTorque, kRange, kSole };
   struct Row {
     Kind kind;
@@ -98,8 +99,9 @@ class LimitKeeper {
   };
 
   bool are_kept(const Dynamics& dynamics, const Stance& stance, const WholeBodyResult& out);
-  void find_joints_that_give(const WholeBodyResult& out);
-  bool may_move(int joint) const;
+  SoleRoom sole_room(Side side, const WholeBodyResult& out) const;
+  /// True where `out` breaks no limit of torque, and by no more than `excess` any other.
+  bool has_kept(const Stance& stance, const WholeBodyResult& out, double excess) const;
   /// @param near  room of the rows that are looked at, in shares of their limits; all rows where it is infinite
   bool solve(const Stance& stance, WholeBodyResult& out, double near);
   void note(const Row& row);
@@ -110,9 +112,8 @@ class LimitKeeper {
   TaskGive give_;
   // Of this instant: bounds of ddq, and the room of the soles' rows at the closed form's torque.
   VecX upper_, lower_;
-  std::array<Eigen::Matrix<double, kSoleRows, 1>, 2> sole_room_;
+  std::array<SoleRoom, 2> sole_room_;
   std::vector<bool> in_leg_;
-  std::vector<int> posture_;  // joints outside the legs that may give
   TaskSlack slack_;
   LeastChange least_;
   std::vector<Row> rows_;

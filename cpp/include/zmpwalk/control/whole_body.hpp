@@ -64,7 +64,7 @@ struct TaskGive {
   double com = 0.3, height = 3.0;              ///< [m/s^2]
   double trunk = 30.0;                         ///< [rad/s^2]
   double swing = 20.0, swing_angular = 200.0;  ///< [m/s^2], [rad/s^2]
-  double posture = 100.0;                      ///< of each joint outside the legs [rad/s^2]
+  double posture = 100.0;                      ///< of a joint outside the legs, over its own inertia [N m]
   double load_force = 1.0, load_moment = 1.0;  ///< that one foot takes over from the other [N], [N m]
 };
 
