@@ -5,6 +5,7 @@
 #include "zmpwalk/gait/lateral_motion.hpp"
 #include "zmpwalk/gait/pendulum.hpp"
 #include "zmpwalk/gait/schedule.hpp"
+#include "zmpwalk/gait/step_adjustment.hpp"
 #include "zmpwalk/gait/swing_foot.hpp"
 #include "zmpwalk/gait/velocity_profile.hpp"
 #include "zmpwalk/gait/velocity_tracker.hpp"
@@ -62,9 +63,13 @@ Vec2 reference_zmp(const GaitOutput& gait, const LinearInvertedPendulum& pendulu
 class GaitGenerator {
  public:
   /// @param settings resolved   @param profile planned velocity; what changes too fast is limited   @param sole the larger of both
-  /// @param bounds of the ZMP, of each sole, in its axes
+  /// @param bounds of the ZMP, of each sole, in its axes   @param whole  the same when the robot has been pushed
   GaitGenerator(const WalkSettings& settings, const VelocityProfile& profile, const SoleSize& sole,
-                const std::array<ZmpBounds, 2>& bounds);
+                const std::array<ZmpBounds, 2>& bounds, const std::array<ZmpBounds, 2>& whole);
+  /// The same where `bounds` are all that there is.
+  GaitGenerator(const WalkSettings& settings, const VelocityProfile& profile, const SoleSize& sole,
+                const std::array<ZmpBounds, 2>& bounds)
+      : GaitGenerator(settings, profile, sole, bounds, bounds) {}
   GaitGenerator(const GaitGenerator&) = delete;
   GaitGenerator& operator=(const GaitGenerator&) = delete;
 
@@ -98,8 +103,12 @@ class GaitGenerator {
   void move_swing_foot(const GaitInput& in);
   void move_ahead(const GaitInput& in);
   void move_sideways(const GaitInput& in);
-  ZmpBounds room(const GaitInput& in) const;
+  ZmpBounds room(const GaitInput& in, const std::array<ZmpBounds, 2>& bounds, const ZmpBounds& support) const;
   ZmpBounds sole_room(const Vec3& velocity) const;  // of the support foot alone
+  /// How far the DCM has left the plan: 0 as planned, 1 where the ZMP is to use the whole sole.
+  double urgency(const GaitInput& in) const;
+  void widen_room(const GaitInput& in);
+  void adjust_time(const GaitInput& in);
   /// Over the support foot. The ZMP may roll as far as the sole goes on its longer side; `end`: as it does at the end of a stance.
   void take_orbit(ForwardOrbit& orbit, const ZmpBounds& sole, double v, double period, bool end = false) const;
   void capture(const GaitInput& in, double time);
@@ -120,7 +129,11 @@ class GaitGenerator {
   LateralMotion lateral_;
   SwingFoot swing_foot_;
   LinearInvertedPendulum pendulum_;
-  std::array<ZmpBounds, 2> bounds_;
+  std::array<ZmpBounds, 2> bounds_, whole_;
+  StepAdjustment adjustment_;
+  double planned_landing_ = 0.0;  // of the foot in the air, before any adjustment [s]
+  double xi_planned_ = 0.0;       // lateral DCM now on the orbit, along H's y [m]
+  double xi_offset_ = 0.0;        // lateral DCM from the next foot when it takes over, on the orbit [m]
   GaitOutput out_;
   ZmpBounds sole_room_;      // of the support foot at the planned velocity
   PlannedStance next_;       // of the next foot to take over: the one that swings, or one that has landed

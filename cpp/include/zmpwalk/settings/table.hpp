@@ -99,6 +99,8 @@ struct StepsSettings {
   std::vector<double> lengths;
   double width = kNaN, clearance = kNaN, reach = kNaN, filter_time = kNaN, give = 0.3, freeze = 0.7;
   double capture_distance = kNaN, capture_speed = kNaN;
+  bool timing = true;
+  double ahead_most = kNaN, aside_most = kNaN, least_time = kNaN, wait_time = kNaN, foot_speed = kNaN;
 
   template <class Self, class Visitor>
   static void rows(Self& g, Visitor&& v) {
@@ -128,6 +130,20 @@ struct StepsSettings {
       "with tied footsteps. Beyond that the tracked speed yields, so that the next step still catches the robot.");
     v(g.capture_speed, "capture_speed", "capture_speed", "m/s", must_be::kNotNegative, {0.2, of::kFroudeSpeed},
       "Most that the tracked speed yields, either way, to keep the DCM within capture_distance of its plan.");
+    v(g.timing, "timing", "step_timing", "", must_be::kAnything, {},
+      "Whether the time of a step changes when the robot is pushed, so that the next foot can catch it. A walk that "
+      "nothing disturbs keeps its times.");
+    v(g.ahead_most, "ahead_most", "step_ahead_most", "m", must_be::kPositive, {0.6, of::kComHeight},
+      "How far ahead of the standing foot, or behind it, a foot can be set down to catch the robot.");
+    v(g.aside_most, "aside_most", "step_aside_most", "m", must_be::kPositive, {0.67, of::kComHeight},
+      "How far beside the standing foot a foot can be set down to catch the robot.");
+    v(g.least_time, "least_time", "step_least_time", "s", must_be::kPositive, {1.1, of::kTimeConstant},
+      "Shortest single support that a step takes to catch the robot.");
+    v(g.wait_time, "wait_time", "step_wait_time", "s", must_be::kNotNegative, {3.0, of::kTimeConstant},
+      "How much longer than planned a foot stays in the air, at most, while the DCM (COM + T_c times its velocity) comes "
+      "back over the standing foot.");
+    v(g.foot_speed, "foot_speed", "step_foot_speed", "m/s", must_be::kPositive, {0.6, of::kFroudeSpeed},
+      "Mean horizontal speed with which a foot can be brought to another place to catch the robot.");
   }
 };
 
@@ -216,6 +232,7 @@ struct ZmpSettings {
   double sole_fraction = 0.72, sole_exponent = 0.5, ankle_torque_fraction = 0.9;
   bool bound_lateral = true, lateral_feedback = true;
   double lateral_shift = 0.4;
+  double whole_fraction = 0.95, corner_cut = 0.3;
 
   template <class Self, class Visitor>
   static void rows(Self& g, Visitor&& v) {
@@ -246,6 +263,12 @@ struct ZmpSettings {
       "(17) alone, and an error at the start never decays.");
     v(g.lateral_shift, "lateral_shift", "lateral_reach", "", must_be::kNotNegative, {},
       "Largest sideways shift of the reference ZMP that makes the sway repeat, as a share of half the sole's width.");
+    v(g.whole_fraction, "whole_fraction", "whole_sole_fraction", "", must_be::kPositive, {},
+      "Share of the sole's length and width that the ZMP may use when the robot has been pushed. It takes the place of "
+      "sole_fraction as the DCM (COM + T_c times its velocity) leaves its plan.");
+    v(g.corner_cut, "corner_cut", "corner_cut", "", must_be::kShare, {},
+      "Share of the sole's length that the ZMP gives up where it is at the sole's side: in a corner of the sole it would "
+      "tip the foot.");
   }
 };
 

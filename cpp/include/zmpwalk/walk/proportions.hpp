@@ -16,8 +16,8 @@ RobotScale scale_of(const Robot& robot);
 /// The sole that both feet stand for where feet must keep clear of each other: the longer length, the narrower width.
 SoleSize common_sole(const RobotDescription& description);
 
-/// Where the ZMP may be in the sole of `side`: what sole and ankle torque allow, see `zmp_bounds`.
+/// Where the ZMP may be in the sole of `side`: what the share `sole_fraction` of it and the ankle's torque allow, see `zmp_bounds`.
 /// @throws InputError where nothing is left
-ZmpBounds bounds_of(const Robot& robot, Side side, const WalkSettings& settings);
+ZmpBounds bounds_of(const Robot& robot, Side side, const WalkSettings& settings, double sole_fraction);
 
 }  // namespace zmpwalk
