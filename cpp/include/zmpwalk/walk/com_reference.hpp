@@ -23,7 +23,7 @@ struct Reference {
 /// Velocity tracking with the estimated ZMP: from the desired velocity to the COM acceleration that the whole body is asked for.
 ///
 /// In three steps. `track` asks the pendulum, or the planned velocity alone, for a COM state and acceleration. `want` says where the
-/// ZMP should be: as estimated for that acceleration, but inside its bounds, or on a bound while the bang-bang law drives. `modify`
+/// ZMP should be: as estimated for that acceleration, but inside its bounds, or on a bound while the tracker's law drives it there. `modify`
 /// (III-B) finds the reference of the pendulum whose estimated ZMP is the desired one.
 class ComReference {
  public:

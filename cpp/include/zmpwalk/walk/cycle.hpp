@@ -16,6 +16,8 @@ struct Cycle {
   const GaitOutput* gait = nullptr;                  ///< of this instant
   const LinearInvertedPendulum* pendulum = nullptr;  ///< of this instant's COM height
   Mat2 R_WS = Mat2::Identity(), R_WH = Mat2::Identity();
+  /// Of the COM, measured and current, by which the pendulum knows of outer forces (`forced_pendulum`), W [m]. The COM in S has it.
+  Vec2 shift = Vec2::Zero();
   Vec2 com_S = Vec2::Zero(), dcom_S = Vec2::Zero();            ///< "current" COM state of (16), (17) [m, m/s]
   Vec2 com_meas_S = Vec2::Zero(), dcom_meas_S = Vec2::Zero();  ///< measured COM state [m, m/s]
 
@@ -24,7 +26,7 @@ struct Cycle {
 };
 
 /// @param com, dcom  "current" COM state of (16), W (2,) [m, m/s]
-/// @param shift      of the COM, measured and current, by which the pendulum knows of outer forces (`forced_pendulum`), W (2,) [m]
+/// @param shift      `Cycle::shift`
 Cycle cycle_of(double t, const Dynamics& dynamics, const GaitOutput& gait, const LinearInvertedPendulum& pendulum,
                const Vec2& com, const Vec2& dcom, const Vec2& shift);
 
