@@ -370,18 +370,10 @@ BOOST_AUTO_TEST_CASE(a_faster_walk_lifts_the_foot_less_where_the_forward_swing_t
 }
 
 BOOST_AUTO_TEST_CASE(choices_have_names_and_unknown_names_are_refused_with_those_that_exist) {
-  for (const std::string name : {"tied", "absolute", "paper", "printed", "list"}) {
-    Footsteps value{};
-    from_string("footsteps", name, value);
-    BOOST_CHECK_EQUAL(to_string(value), name);
-  }
-  TrackerLaw tracker{};
-  from_string("tracker", "bang_bang", tracker);
-  BOOST_CHECK(tracker == TrackerLaw::kBangBang);
-  Footsteps value{};
-  CHECK_THROWS(from_string("footsteps", "tide", value), InputError,
+  for (const std::string name : {"tied", "absolute", "paper", "printed", "list"})
+    BOOST_CHECK_EQUAL(to_string(chosen<Footsteps>("footsteps", name)), name);
+  CHECK_THROWS(chosen<Footsteps>("footsteps", "tide"), InputError,
                "footsteps = 'tide' is unknown; there are: tied, absolute, paper, printed, list");
-  Iteration iteration{};
-  CHECK_THROWS(from_string("iteration", "", iteration), InputError, "there are: closed_form, loop");
+  CHECK_THROWS(chosen<Iteration>("iteration", ""), InputError, "there are: closed_form, loop");
   CHECK_THROWS(WalkSettings("papyrus"), InputError, "law = 'papyrus' is unknown; there are: default, paper");
 }

@@ -51,7 +51,7 @@ GaitGenerator::GaitGenerator(const WalkSettings& settings, const VelocityProfile
       plan_(profile_),
       schedule_(settings.gait.T_ds_first, settings.gait.T_ds, settings.gait.T_ss),
       footsteps_(settings, plan_, sole),
-      lateral_(settings.zmp.lateral_feedback, settings.zmp.lateral_shift * 0.5 * sole.width),
+      lateral_(settings.zmp.lateral_law, settings.zmp.lateral_shift * 0.5 * sole.width),
       pendulum_(1.0, 1.0),
       bounds_(bounds) {
   plan_.reserve();
@@ -331,10 +331,9 @@ void GaitGenerator::move_sideways(const GaitInput& in) {
   const PendulumState y{(in.com - out_.origin).dot(left_of(out_.ahead)), in.dcom.dot(left_of(out_.ahead))};
   if (before_switch()) {
     const double dt = settings_.control.dt, period = schedule_.times().period();
-    const bool last = out_.phase.time + 1.5 * dt >= out_.phase.duration;
     const double w_orbit = pendulum_.orbit_velocity(plan_.displacement(in.t, in.t + period).y(), period);
     out_.w_T = lateral_.check_switch(pendulum_, y, 0.0, across(in.p_sole[other(out_.support)]),
-                                     out_.phase.to_mid_single, w_orbit, dt, last);
+                                     out_.phase.to_mid_single, w_orbit, dt, out_.phase.duration - out_.phase.time);
     return;
   }
   if (period_ != orbit_period_ || Tc != orbit_Tc_) {
@@ -351,6 +350,9 @@ void GaitGenerator::move_sideways(const GaitInput& in) {
     return y_there + side_sign(out_.support) * pendulum_.orbit_inset(footsteps_.width(drift), orbit_growth_) +
            pendulum_.orbit_offset(drift, orbit_growth_);
   };
+  const auto sway = [&](const Vec2& there) {
+    return Sway{settings_, pendulum_, out_.support, y, xi, xi_end(there), out_.phase.to_mid_double, until};
+  };
   if (single) {
     if (began_ == Began::kSingleSupport) {
       const Side stance = other(out_.swing);
@@ -361,13 +363,13 @@ void GaitGenerator::move_sideways(const GaitInput& in) {
     }
     if (footsteps_.follows(out_.phase.time / out_.phase.duration)) {
       const PathPoint planned = footsteps_.planned(out_.swing, next_);
-      const double aside = lateral_.miss(pendulum_, xi, xi_end(planned.p), until);
+      const double aside = lateral_.miss(sway(planned.p));
       footsteps_.follow(ahead_of_plan(in), aside, planned);
     }
     out_.foothold = footsteps_.target();
   }
   const Vec2 there = single ? out_.foothold.p : footsteps_.planned(out_.swing, next_).p;
-  out_.zmp_lateral = lateral_.reference(pendulum_, xi, xi_end(there), until);
+  out_.zmp_lateral = lateral_.reference(sway(there));
 }
 
 }  // namespace zmpwalk

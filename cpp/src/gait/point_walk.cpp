@@ -2,10 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "zmpwalk/math/rotation.hpp"
 
 namespace zmpwalk {
+namespace {
+
+TrackingSettings smooth(TrackingSettings settings) {
+  settings.law = chosen<TrackerLawName>("tracking.law", "smooth");
+  return settings;
+}
+
+}  // namespace
 
 PendulumState roll_out(const LinearInvertedPendulum& pendulum, const VelocityProfile& plan,
                        const VelocityProfile::Moment& now, const VelocityProfile::Moment& then, double time,
@@ -40,8 +49,9 @@ double start_excursion(const WalkSettings& settings, const VelocityProfile& plan
   const double t_end = settings.gait.T_ds_first + period, t_switch = t_end - 0.5 * settings.gait.T_ds;
   const double foothold =
       scale * (plan.displacement(0.0, t_switch) + 0.5 * plan.displacement(t_switch, t_switch + period)).x();
-  VelocityTracker tracker(TrackerLaw::kSmooth, settings.tracking.gain, settings.tracking.time,
-                          settings.tracking.deadband);
+  TrackingSettings free = settings.tracking;
+  free.catch_up_speed = std::numeric_limits<double>::infinity();
+  VelocityTracker tracker(smooth(free));
   PendulumState s{x_0, 0.0};
   for (double t = 0.0; t < t_end; t += dt) {
     const double v_plan = scale * plan.velocity(t).x(), foot = t < t_switch ? 0.0 : foothold;
@@ -57,8 +67,7 @@ PointWalk::PointWalk(const WalkSettings& settings, const VelocityProfile& profil
                      const SoleSize& sole, const GaitInput& start)
     : pendulum(of_robot),
       dt(settings.control.dt),
-      tracker(TrackerLaw::kSmooth, settings.tracking.gain, settings.tracking.time, settings.tracking.deadband,
-              settings.tracking.catch_up_speed),
+      tracker(smooth(settings.tracking)),
       gait(settings, profile, sole, bounds),
       in(start) {
   gait.reset(in, pendulum);

@@ -44,10 +44,11 @@ const std::vector<double>& printed_step_lengths() {
 
 WalkSettings::WalkSettings(const std::string& preset) : law(preset) {
   if (preset == "default") return;
-  if (preset != "paper") throw InputError("law = '" + preset + "' is unknown; there are: default, paper");
-  tracking.law = TrackerLaw::kBangBang;
+  if (preset != "paper") throw InputError(no_such_word("law", preset, {"default", "paper"}));
+  tracking.law = chosen<TrackerLawName>("tracking.law", "bang_bang");
   zmp.iteration = Iteration::kLoop;
-  zmp.bound_lateral = zmp.lateral_feedback = false;
+  zmp.lateral_law = chosen<LateralLawName>("zmp.lateral_law", "paper");
+  zmp.bound_lateral = false;
   zmp.sole_exponent = 0.0;
   com.state = ComState::kDesired;
   com.feed_forward = false;

@@ -36,15 +36,15 @@ WalkingController::WalkingController(const mjModel* model, const RobotDescriptio
       height_(height_over_soles(robot_.dynamics()), robot_.dynamics().gravity.norm(), settings_),
       gait_(settings_, profile_, sole_, bounds_),
       reach_(robot_, settings_, gait_.cadence()),
-      tracker_(settings_.tracking.law, settings_.tracking.gain, settings_.tracking.time, settings_.tracking.deadband,
-               settings_.tracking.catch_up_speed),
+      tracker_(settings_.tracking),
       reference_(settings_),
       body_(robot_, settings_),
       arms_(robot_, settings_),
       whole_body_(robot_.nv(), robot_.leg_joints(),
                   {settings_.control.textbook, settings_.posture.task, settings_.contact.wrench_distribution,
                    settings_.contact.load_alone * 0.5 * sole_.width, settings_.contact.damping,
-                   settings_.control.singular_damping, settings_.control.singular_pivot, settings_.control.kernel}),
+                   settings_.control.singular_damping, settings_.control.singular_pivot, settings_.control.kernel,
+                   settings_.control.singular_task}),
       estimator_(robot_.nv()),
       fall_(settings_),
       clock_(settings_.control.dt),
@@ -169,10 +169,7 @@ double WalkingController::start_excursion(double scale) const {
 }
 
 void WalkingController::reset(const State& state) {
-  require_size("state.q", state.q.size(), robot_.nv() + 1);
-  require_size("state.dq", state.dq.size(), robot_.nv());
-  if (!state.q.allFinite() || !state.dq.allFinite() || !std::isfinite(state.time))
-    throw InputError("the state holds a time, position or velocity that is not finite");
+  require_state(state, robot_.nv());
   robot_.read(state);
   clock_.reset(state.time);
   start();
@@ -212,10 +209,7 @@ void WalkingController::start() {
 
 const CycleOutput& WalkingController::update(const State& state) {
   clock_.require_started();
-  require_size("state.q", state.q.size(), robot_.nv() + 1);
-  require_size("state.dq", state.dq.size(), robot_.nv());
-  if (!state.q.allFinite() || !state.dq.allFinite())
-    throw InputError("the state holds a position or velocity that is not finite");
+  require_state(state, robot_.nv());
   require_external(state.external);
   clock_.require(state.time);
   out_.fresh = clock_.due(state.time);
@@ -256,10 +250,11 @@ const CycleOutput& WalkingController::update(mjData* data, Terms terms, const Se
 }
 
 void WalkingController::feel(const MeasuredContact& contact) {
+  const Sensed felt = felt_by(contact);
   for (const Side side : kSides) {
     if (!std::isnan(state_.contact[side])) continue;
-    state_.wrench[side] = contact.wrench.segment<6>(6 * side);
-    state_.contact[side] = std::isnan(state_.wrench[side].z()) ? 0.0 : 1.0;
+    state_.wrench[side] = felt.wrench[side];
+    state_.contact[side] = felt.contact[side];
   }
 }
 
@@ -273,17 +268,15 @@ void WalkingController::cycle(const State& state) {
   // Where the walk is now, and where COM and feet are to go.
   const bool measured = settings_.com.state == ComState::kMeasured;
   const Vec2 com = measured ? Vec2(dyn.com.head<2>()) : com_des_,
-             dcom = measured ? Vec2(dyn.dcom.head<2>()) : dcom_des_,
-             shift = forced_pendulum(dyn, height_.ground()).shift;
+             dcom = measured ? Vec2(dyn.dcom.head<2>()) : dcom_des_;
+  const ForcedPendulum forced = forced_pendulum(dyn, height_.ground());
+  if (height_.weigh(forced.gravity)) follow_pendulum();
   if (Vec3 live; mailbox_.take(live) && live != out_.command) gait_.command(out_.command = live);
-  GaitInput in = gait_input(t, com + shift, dcom);
+  GaitInput in = gait_input(t, com + forced.shift, dcom);
   in.contact << state.contact[kLeft], state.contact[kRight];
   const GaitOutput& gait = gait_.update(in);
-  if (height_.update(t, gait.stretch, gait_.plan(), reach_, gait_.cadence().slow.period())) {
-    reference_.set_pendulum(height_.pendulum());
-    gait_.set_pendulum(height_.pendulum());
-  }
-  const Cycle cycle = cycle_of(t, dyn, gait, height_.pendulum(), com, dcom, shift);
+  if (height_.update(t, gait.stretch, gait_.plan(), reach_, gait_.cadence().slow.period())) follow_pendulum();
+  const Cycle cycle = cycle_of(t, dyn, gait, height_.pendulum(), com, dcom, forced.shift);
 
   // What the whole body is to do, apart from the COM's x and y.
   body_.update(t);
@@ -296,10 +289,15 @@ void WalkingController::cycle(const State& state) {
   whole_body_.prepare(dyn, stance_, f_star_, &added_);
 
   // III-C, (16) and III-B choose the COM's x and y by the ZMP that they lead to. (1)-(8) give the torque, (9)-(15) its ZMP.
-  decide_reference(cycle, shift);
+  decide_reference(cycle);
   whole_body_.solve(f_xy_, result_);
   limit_torque(gait);
   note(cycle);
+}
+
+void WalkingController::follow_pendulum() {
+  reference_.set_pendulum(height_.pendulum());
+  gait_.set_pendulum(height_.pendulum());
 }
 
 void WalkingController::command_tasks(const Cycle& cycle) {
@@ -329,11 +327,11 @@ void WalkingController::command_tasks(const Cycle& cycle) {
   f_star_.swing = foot_task_.acceleration(dyn);
 }
 
-void WalkingController::decide_reference(const Cycle& cycle, const Vec2& shift) {
+void WalkingController::decide_reference(const Cycle& cycle) {
   const GaitOutput& gait = *cycle.gait;
   const Reference r = reference_.decide(cycle, tracker_, whole_body_);
   f_xy_ = cycle.R_WS * r.f;
-  com_des_ = cycle.to_W(r.x_d) - shift;
+  com_des_ = cycle.to_W(r.x_d) - cycle.shift;
   dcom_des_ = cycle.R_WS * r.v_d;
   out_.zmp_des = cycle.to_W(r.zmp_des);
   out_.zmp_est = cycle.to_W(r.zmp_est);

@@ -31,6 +31,8 @@ struct ForcedPendulum {
 ///
 /// the lateral one the same with -M_x in place of M_y. That is the free pendulum, x'' = (g / h) (x - r), of the COM x + shift under the gravity
 /// N / m: shift = ((M_y + h F_x) / N, (h F_y - M_x) / N). To stand, the COM has to lean against the force by as much.
+///
+/// A robot that is lifted by its whole weight is no pendulum: N is taken as no less than a tenth of m g.
 ForcedPendulum forced_pendulum(const Dynamics& dynamics, double ground);
 
 }  // namespace zmpwalk

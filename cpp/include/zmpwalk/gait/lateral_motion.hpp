@@ -1,5 +1,6 @@
 #pragma once
 
+#include "zmpwalk/gait/lateral_law.hpp"
 #include "zmpwalk/gait/pendulum.hpp"
 #include "zmpwalk/gait/schedule.hpp"
 #include "zmpwalk/math/types.hpp"
@@ -8,13 +9,14 @@ namespace zmpwalk {
 
 /// Lateral motion, III-D: the COM sways between the feet, and the support switches from one foot to the other at the right instant.
 ///
-/// The switch rule of the paper is neutrally stable: an error at the start never decays. The lateral feedback (an addition to the paper) therefore shifts
-/// the reference ZMP by r_y, so that in the middle of the next double support the DCM (COM + T_c times its velocity) is where the orbit that
-/// repeats has it. On that orbit r_y is zero. Positions are along the y axis of H, from the support sole's centre.
+/// A `LateralLaw` decides where the reference ZMP is, and when the support switches. The switch rule of the paper alone is neutrally stable: an
+/// error at the start never decays. The law "orbit" (an addition to the paper) therefore shifts the reference ZMP by r_y, so that in the middle of the
+/// next double support the DCM (COM + T_c times its velocity) is where the orbit that repeats has it. On that orbit r_y is zero. Positions
+/// are along the y axis of H, from the support sole's centre.
 class LateralMotion {
  public:
-  /// @param feedback  whether the lateral feedback is on   @param most  largest |r_y| [m]
-  LateralMotion(bool feedback, double most);
+  /// @param most  largest |r_y| [m]
+  LateralMotion(LateralLawName law, double most);
 
   /// @param support  foot that carries the ZMP at first: the one that swings first
   void reset(Side support);
@@ -25,10 +27,10 @@ class LateralMotion {
   /// @param other_foot sole centre of the foot that will carry the ZMP next, seen from the support's [m]
   /// @param T          time from now to the middle of the next single support [s]   @param dt control period [s]
   /// @param w_orbit    velocity that the orbit has at that time [m/s]; 0 in the paper, whose orbit does not drift
-  /// @param last       the double support ends with this cycle: switch whatever (18) says
+  /// @param time_left  time until the double support ends [s]; if it ends with this cycle, the next one switches whatever the law says
   /// @return           w(T), eq. 18, for a switch in the next cycle [m/s]
   double check_switch(const LinearInvertedPendulum& pendulum, const PendulumState& now, double r, double other_foot,
-                      double T, double w_orbit, double dt, bool last);
+                      double T, double w_orbit, double dt, double time_left);
 
   /// Switches the support if the previous cycle decided so. Call it first in each cycle.
   void begin_cycle(bool double_support_began);
@@ -36,15 +38,10 @@ class LateralMotion {
   void end_double_support();
 
   /// Reference ZMP about the support's sole centre [m].
-  ///
-  /// @param xi, xi_end  lateral DCM now, and the orbit's in the middle of the next double support; about the support's
-  ///                    sole centre [m]   @param time  growth of the DCM until then
-  double reference(const LinearInvertedPendulum& pendulum, double xi, double xi_end,
-                   const LinearInvertedPendulum::Growth& time) const;
+  double reference(const Sway& sway) const;
 
-  /// How far the DCM will be from `xi_end`, because |r_y| is bounded [m].
-  double miss(const LinearInvertedPendulum& pendulum, double xi, double xi_end,
-              const LinearInvertedPendulum::Growth& time) const;
+  /// How far the DCM will be from `sway.xi_end`, because |r_y| is bounded [m].
+  double miss(const Sway& sway) const;
 
   Side support() const { return support_; }
   /// True in double support until the switch.
@@ -57,8 +54,9 @@ class LateralMotion {
     kTaken     // the foot that will stand carries the ZMP
   };
   void take_switch();
+  double wanted(const Sway& sway) const;  // reference ZMP without the bound
 
-  bool feedback_;
+  const LateralLaw* law_;
   double most_;
   std::array<LastOver, 2> over_;  // one and two cycles
   Side support_ = kLeft;

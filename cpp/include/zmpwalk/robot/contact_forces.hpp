@@ -3,6 +3,7 @@
 #include "zmpwalk/math/types.hpp"
 #include "zmpwalk/robot/mujoco_types.hpp"
 #include "zmpwalk/robot/robot.hpp"
+#include "zmpwalk/robot/state.hpp"
 #include "zmpwalk/zmp/plane.hpp"
 
 namespace zmpwalk {
@@ -17,6 +18,9 @@ struct MeasuredContact {
 
 /// Sums the contact forces between each foot and everything that is not the robot. Allocates nothing.
 MeasuredContact measure_contact(const Robot& robot, const mjData* d);
+
+/// What the feet feel of them: the wrench of each foot, and whether it touches. Allocates nothing.
+Sensed felt_by(const MeasuredContact& contact);
 
 /// World x and y of the ZMP of those forces on `plane` (2,) [m], NaN without contact. Allocates nothing.
 Vec2 measured_zmp(const MeasuredContact& contact, const Plane& plane);

@@ -31,4 +31,8 @@ struct State : Sensed {
   VecX dq;            ///< (nv,) [m/s, rad/s]
 };
 
+/// What any state has to be. @param nv velocity coordinates of the robot
+/// @throws DimensionError q or dq of another size; InputError time, position or velocity is not finite, or the base's quaternion has no length
+void require_state(const State& state, int nv);
+
 }  // namespace zmpwalk

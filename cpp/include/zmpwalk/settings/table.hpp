@@ -213,7 +213,8 @@ struct ZmpSettings {
   double threshold = 1e-3;
   int max_iterations = 200;
   double sole_fraction = 0.72, sole_exponent = 0.5, ankle_torque_fraction = 0.9;
-  bool bound_lateral = true, lateral_feedback = true;
+  bool bound_lateral = true;
+  LateralLawName lateral_law{};
   double lateral_shift = 0.4;
 
   template <class Self, class Visitor>
@@ -240,11 +241,11 @@ struct ZmpSettings {
       "the sole, bounds the ZMP.");
     v(g.bound_lateral, "bound_lateral", "bound_lateral", "", must_be::kAnything, {},
       "Whether the ZMP is kept inside its bounds sideways too. The paper bounds it forward only.");
-    v(g.lateral_feedback, "lateral_feedback", "lateral_feedback", "", must_be::kAnything, {},
-      "Whether the reference ZMP is shifted sideways so that the sway repeats (III-D). With false the sway follows "
-      "(17) alone, and an error at the start never decays.");
+    v(g.lateral_law, "lateral_law", "lateral_law", "", must_be::kAnything, {},
+      "Law by which the reference ZMP is shifted sideways from the middle of the sole that carries it (III-D).");
     v(g.lateral_shift, "lateral_shift", "lateral_reach", "", must_be::kNotNegative, {},
-      "Largest sideways shift of the reference ZMP that makes the sway repeat, as a share of half the sole's width.");
+      "Largest sideways shift of the reference ZMP that the lateral law may ask for, as a share of half the sole's "
+      "width.");
   }
 };
 
@@ -252,14 +253,12 @@ struct TrackingSettings {
   static constexpr const char* kGroup = "tracking";
   static constexpr const char* kMeaning = "How the walk follows the planned velocity (III-C).";
 
-  TrackerLaw law = TrackerLaw::kSmooth;
+  TrackerLawName law{};
   double gain = kNaN, time = kNaN, catch_up_speed = kNaN, deadband = 2e-4;
 
   template <class Self, class Visitor>
   static void rows(Self& g, Visitor&& v) {
-    v(g.law, "law", "tracker", "", must_be::kAnything, {},
-      "Law by which the COM's velocity follows the planned one: 'smooth' accelerates in proportion to the error, "
-      "'bang_bang' drives the ZMP to its bounds until the error is gone, as III-C is printed.");
+    v(g.law, "law", "tracker", "", must_be::kAnything, {}, "Law by which the COM's velocity follows the planned one.");
     v(g.gain, "gain", "tracker_gain", "1/s", must_be::kPositive, {1.38, of::kPerTimeConstant},
       "How fast the smooth law makes up lost way: speed that it adds per metre behind the plan.");
     v(g.time, "time", "tracker_time", "s", must_be::kPositive, {0.18, of::kTimeConstant},
@@ -387,7 +386,7 @@ struct ControlSettings {
 
   double dt = kNaN;
   bool textbook = false;
-  double singular_damping = 1e-3, singular_pivot = 1e-2, friction_velocity = 0.02;
+  double singular_damping = 1e-3, singular_pivot = 1e-2, singular_task = 5e-3, friction_velocity = 0.02;
   std::string kernel = "auto";
   std::map<std::string, double> torque_limits;
 
@@ -403,6 +402,10 @@ struct ControlSettings {
       "Damping that keeps the joints' motion bounded where a leg is straight.");
     v(g.singular_pivot, "singular_pivot", "singular_pivot", "", must_be::kNotNegative, {},
       "Smallest pivot of a leg's equations below which that leg counts as straight.");
+    v(g.singular_task, "singular_task", "singular_task", "", must_be::kShare, {},
+      "How far a task of your own may be from impossible before it is met in part only: the motion that it asks for is "
+      "damped in directions in which the joints outside the legs move it by less than this share of its size. So it "
+      "stays bounded where an arm is stretched out. With 0 nothing is damped.");
     v(g.friction_velocity, "friction_velocity", "friction_velocity", "rad/s", must_be::kPositive, {},
       "Joint speed below which dry friction is taken as proportional to the speed, so that it does not jump where a "
       "joint turns around.");

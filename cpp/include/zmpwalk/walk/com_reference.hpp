@@ -24,7 +24,7 @@ struct Reference {
 /// Chooses the horizontal acceleration of the COM, so that it follows the planned velocity while the estimated ZMP stays inside its bounds.
 ///
 /// `decide` does so in three steps. First it takes a COM state and acceleration from the pendulum, or from the planned velocity alone. Then it says where
-/// the ZMP should be: where it is estimated for that acceleration, but inside its bounds; or on a bound, while the bang-bang law drives it there. At last
+/// the ZMP should be: where it is estimated for that acceleration, but inside its bounds; or on a bound, while the tracker's law drives it there. At last
 /// (III-B) it finds the reference of the pendulum for which the estimated ZMP is the desired one.
 class ComReference {
  public:

@@ -134,8 +134,9 @@ class WalkingController {
   void start();                               // a walk begins with the dynamics of this instant
   void feel(const MeasuredContact& contact);  // where the state does not know better
   void cycle(const State& state);
+  void follow_pendulum();  // gait and reference take that of the COM's height and of the known forces
   void command_tasks(const Cycle& cycle);
-  void decide_reference(const Cycle& cycle, const Vec2& shift);
+  void decide_reference(const Cycle& cycle);
   void limit_torque(const GaitOutput& gait);
   void note(const Cycle& cycle);  // into the output
 
