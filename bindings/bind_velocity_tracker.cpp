@@ -4,7 +4,8 @@
 using namespace zmpwalk;
 
 void bind_velocity_tracker(py::module_& m) {
-  py::class_<VelocityTracker>(m, "VelocityTracker", "Planned-velocity tracking along one axis, III-C.")
+  py::class_<VelocityTracker>(m, "VelocityTracker",
+                              "Lets the velocity of the COM follow the planned one, along one axis (III-C).")
       .def(py::init([](const std::string& law, double gain, double time, double deadband, double catch_up_speed) {
              TrackingSettings settings;
              settings.law = chosen<TrackerLawName>("law", law);
@@ -21,12 +22,15 @@ void bind_velocity_tracker(py::module_& m) {
            "[m].\n    catch_up_speed: largest |gain I| [m/s].\n\nRaises:\n    InputError.")
       .def("reset", &VelocityTracker::reset)
       .def("acceleration", &VelocityTracker::acceleration, "v_plan"_a, "v"_a, "ahead"_a = 0.0,
-           "What the law asks of the pendulum [m/s^2]: (v_plan - gain (I - ahead) - v) / time in the smooth law.\n\n"
-           "Args:\n    v_plan, v: planned and current velocity [m/s].\n    ahead: what the integral I is meant to be "
+           "Acceleration that the law asks of the pendulum [m/s^2]: (v_plan - gain (I - ahead) - v) / time in the "
+           "smooth "
+           "law.\n\n"
+           "Args:\n    v_plan, v: planned and current velocity [m/s].\n    ahead: value that the integral I is meant "
+           "to have "
            "now [m].")
       .def("advance", &VelocityTracker::advance, "v_des"_a, "v_plan"_a, "dt"_a, "Adds one cycle to the integral.")
       .def_property_readonly("integral", &VelocityTracker::integral, "integral of v_des - v_plan [m]")
       .def_property_readonly(
           "drive", [](const VelocityTracker& t) { return static_cast<int>(t.drive()); },
-          "what the law asks of the ZMP: -1 to its lower bound, +1 to its upper, 0 neither");
+          "where the law holds the ZMP: -1 on its lower bound, +1 on its upper one, 0 on neither");
 }

@@ -22,13 +22,14 @@ PendulumState roll_out(const LinearInvertedPendulum& pendulum, const VelocityPro
   // The pendulum of (16) in pieces, by the DCM and its mirror image x - T_c v: each leaves, or nears, the ZMP exponentially.
   constexpr int kPieces = 16;
   const double Tc = pendulum.Tc(), dt = time / kPieces, grow = std::exp(dt / Tc);
-  const double share = -std::expm1(-dt / stance.tracker_time) / dt;  // of a speed error, in a piece [1/s]
+  const double share =
+      -std::expm1(-dt / stance.tracker_time) / dt;  // mean rate in a piece at which an error of the speed goes [1/s]
   double xi = state.x + Tc * state.v, mirror = state.x - Tc * state.v;
   const bool smooth = now.segment == then.segment;
   const double v_now = now.v.x(), slope = smooth ? (then.v.x() - v_now) / time : 0.0;
   VelocityProfile::Moment reached = now;
   for (int k = 0; k < kPieces; ++k) {
-    // as it is in the middle of the piece
+    // The ZMP that is asked for in the middle of the piece stays for all of it.
     const double v = (xi - mirror) / (2.0 * Tc), x = 0.5 * (xi + mirror + dt * v),
                  from_middle = x - stance.orbit_middle;
     const double since = (k + 0.5) * dt;

@@ -105,7 +105,7 @@ double cadence_exponent(double, const Scale& scale) { return scale.settings.step
 double feet_apart(double, const Scale& scale) { return scale.robot.foot_distance; }
 
 double step_height(double, const Scale& scale) {
-  // Rotor and damping take at most this share of the knee's torque, as long as that leaves a step of the least height.
+  // Rotor and damping of the knee may take this share of its torque; the step height is lowered for that, but not below the least height.
   constexpr double kKneeShare = 0.6, kLeastHeight = 0.01;
   const RobotScale& robot = scale.robot;
   const double per_lift = knee_share(robot, scale.settings, 1.0, 0.0),

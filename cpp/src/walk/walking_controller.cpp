@@ -84,7 +84,7 @@ GaitInput WalkingController::gait_input(double t, const Vec2& com, const Vec2& d
   in.p_sole = {left.p_WF, right.p_WF};
   in.R_sole = {left.R_WF, right.R_WF};
   in.catch_up = tracker_.catch_up(gait_.output().orbit_ahead);
-  // Feet that feel the ground land where the stance foot stands, not where the ground was at the start.
+  // A foot that feels the ground lands at the height of the stance foot, not at that of the ground at the start.
   if (settings_.gait.touch_down == TouchDown::kTime) in.ground = height_.ground();
   return in;
 }
@@ -123,7 +123,8 @@ void WalkingController::remove(const Task& task, double blend) {
 
 int WalkingController::watch(const std::string& name) {
   const int frame = robot_.watch(name);
-  state_.external.reserve(robot_.dynamics().frames.size());  // so that a cycle that is told of a force at each need not
+  state_.external.reserve(
+      robot_.dynamics().frames.size());  // a cycle that is told of a force at each frame then allocates nothing
   return frame;
 }
 
@@ -145,7 +146,7 @@ double WalkingController::plan_mismatch(double duration) const {
 
 void WalkingController::require_startable() const {
   reach_.require_within(profile_);
-  // From a stand, the COM may not run away from the first stance foot before the second stands.
+  // When the robot starts from a stand, the COM must not run away from the first stance foot before the second foot stands.
   const double room = reach_.along_ground(0.0);
   if (start_excursion(1.0) <= room) return;
   if (start_excursion(0.0) > room)
@@ -161,7 +162,7 @@ void WalkingController::require_startable() const {
   throw InputError("the profile starts too fast: from a stand the COM would run " +
                    std::to_string(start_excursion(1.0)) + " m ahead of the first stance foot, the legs reach " +
                    std::to_string(room) + " m; the same profile times " + std::to_string(possible) +
-                   " would do, or a gentler ramp");
+                   " is slow enough, and so is a gentler ramp");
 }
 
 double WalkingController::start_excursion(double scale) const {
@@ -240,7 +241,7 @@ const CycleOutput& WalkingController::update(mjData* data, Terms terms, const Se
     else
       robot_.read(state_);
     static_cast<Sensed&>(state_) = sensed;
-    // What nobody has told is felt from the contacts of the last step, which are gone where mj_step1 has run.
+    // Contacts that the caller does not know are read from the last step. They are gone where mj_step1 has run.
     if (settings_.gait.touch_down == TouchDown::kContact && terms == Terms::kCompute)
       feel(measure_contact(robot_, data));
     cycle(state_);
@@ -267,7 +268,7 @@ void WalkingController::cycle(const State& state) {
   clock_.tick(state.time);
   out_.t = state.time;
 
-  // Where the walk is, and where COM and feet are to go.
+  // Where the walk is now, and where COM and feet are to go.
   const bool measured = settings_.com.state == ComState::kMeasured;
   const Vec2 com = measured ? Vec2(dyn.com.head<2>()) : com_des_,
              dcom = measured ? Vec2(dyn.dcom.head<2>()) : dcom_des_;
@@ -280,7 +281,7 @@ void WalkingController::cycle(const State& state) {
   if (height_.update(t, gait.stretch, gait_.plan(), reach_, gait_.cadence().slow.period())) follow_pendulum();
   const Cycle cycle = cycle_of(t, dyn, gait, height_.pendulum(), com, dcom, forced.shift);
 
-  // What the whole body is asked for, but for the COM's x and y.
+  // What the whole body is to do, apart from the COM's x and y.
   body_.update(t);
   added_.update({dyn, t, gait.heading, gait.v_plan.z()});
   command_tasks(cycle);
@@ -290,7 +291,7 @@ void WalkingController::cycle(const State& state) {
   if (arms_.on()) arms_.command(dyn, stance_, f_xy_, gait.v_plan.z(), body_.reference(), added_, whole_body_, f_star_);
   whole_body_.prepare(dyn, stance_, f_star_, &added_);
 
-  // III-C, (16), III-B: the COM's x and y, by the ZMP that they lead to. (1)-(8): the torque. (9)-(15): its ZMP.
+  // III-C, (16) and III-B choose the COM's x and y by the ZMP that they lead to. (1)-(8) give the torque, (9)-(15) its ZMP.
   decide_reference(cycle);
   whole_body_.solve(f_xy_, result_);
   limit_torque(gait);
@@ -362,7 +363,7 @@ void WalkingController::limit_torque(const GaitOutput& gait) {
   out_.saturated = !(out_.torque_ratio <= 1.0);
   out_.tau = result_.tau.cwiseMax(-limit).cwiseMin(limit);
   if (!out_.saturated) return;
-  // The estimate speaks of the torque that is sent: (9) with the cut torque.
+  // The estimate is that of the torque that is sent, hence (9) of the cut torque.
   const Dynamics& dyn = robot_.dynamics();
   int rows = 0;
   for (const Side side : kSides) {

@@ -49,8 +49,8 @@ class SwingFoot {
   /// The foot met no ground: from the next `update` on, at `t` [s], it goes on down for `time` [s], ever slower.
   void sink(double t, double time);
 
+  /// Goes on by one cycle. In x, y and yaw the spline leads from where the foot is to the foothold in the time that is left, and arrives at rest.
   /// @param t since lift-off [s]   @param dt control period [s]
-  /// The horizontal spline runs from where it is to the foothold in what is left of the time, and arrives at rest.
   const SwingTarget& update(double t, double dt, const Foothold& foothold);
 
   const SwingTarget& target() const { return target_; }

@@ -6,40 +6,40 @@
 
 namespace zmpwalk {
 
-/// What the tracker asks of the ZMP this cycle.
+/// Where a tracker's law holds the ZMP in a cycle.
 enum class Drive : int {
-  kLower = -1,  ///< ZMP to its lower bound: accelerate until the integral is zero
-  kNone = 0,    ///< track; keep the ZMP inside its bounds
-  kUpper = 1,   ///< ZMP to its upper bound: decelerate until the integral is zero
+  kLower = -1,  ///< on the lower bound, so that the COM speeds up until the integral is zero
+  kNone = 0,    ///< on no bound: the ZMP only has to stay inside its bounds
+  kUpper = 1,   ///< on the upper bound, so that the COM slows down until the integral is zero
 };
 
-/// Velocity tracking at one instant, along the walk's x.
+/// The velocities at one instant, along the x axis of H (the path).
 struct Tracking {
   const TrackingSettings& settings;
   double v_plan;  ///< planned velocity [m/s]
-  double v;       ///< the COM's current one [m/s]
+  double v;       ///< current velocity of the COM [m/s]
   double
-      catch_up;  ///< what it takes beside v_plan to make up lost way: -k (I - ahead) within `tracking.catch_up_speed` [m/s]
+      catch_up;  ///< speed to add to v_plan to make up lost way: -k (I - ahead) within `tracking.catch_up_speed` [m/s]
 };
 
-/// I = integral of (v_des - v_plan) at the end of a cycle [m].
+/// The way that the COM is ahead of its plan, I = integral of (v_des - v_plan), at the end of a cycle [m].
 struct TrackedWay {
   const TrackingSettings& settings;
   double before, now;  ///< I at the end of the cycle before, and of this one [m]
-  Drive drive;         ///< of this cycle
+  Drive drive;         ///< drive of this cycle
 };
 
-/// A law of III-C: how the COM's velocity follows the planned one. It has no memory; `VelocityTracker` keeps I and the drive.
+/// A law of III-C: it decides how the COM's velocity follows the planned one. It has no memory; `VelocityTracker` keeps I and the drive.
 ///
 /// To add one, write its functions in `tracker_law.cpp` and give it a row in `all()`; its name is a value of `tracking.law` then.
 struct TrackerLaw {
   const char* name;
   const char* meaning;  ///< goes on after "'name', which"; without a full stop
-  /// Whether the COM's desired velocity is the planned one itself. Else the pendulum is asked for `acceleration`.
+  /// Whether the COM's desired velocity is the planned one itself. Otherwise the pendulum gets the `acceleration`.
   bool follows_plan;
-  /// COM acceleration [m/s^2]. A law that follows the plan needs it for what the pendulum does across a sole that points elsewhere.
+  /// COM acceleration [m/s^2]. A law that follows the plan gives it too: a sole that is turned against the path needs it sideways.
   double (*acceleration)(const Tracking&);
-  /// What the next cycle asks of the ZMP, beside its staying inside the bounds.
+  /// Where the next cycle holds the ZMP.
   Drive (*drive)(const TrackedWay&);
 
   /// Every law; the first is the default.

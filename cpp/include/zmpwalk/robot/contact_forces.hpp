@@ -8,7 +8,7 @@
 
 namespace zmpwalk {
 
-/// What MuJoCo's contacts say after a step: they belong to the state **before** it.
+/// The contact forces that MuJoCo has computed. After a step they belong to the state **before** it.
 struct MeasuredContact {
   Vec12 wrench = Vec12::Constant(
       kNaN);  ///< robot on ground, left then right, at the sole centres, world axes; NaN without contact
@@ -24,7 +24,7 @@ Sensed felt_by(const MeasuredContact& contact);
 
 /// World x and y of the ZMP of those forces on `plane` (2,) [m], NaN without contact. Allocates nothing.
 Vec2 measured_zmp(const MeasuredContact& contact, const Plane& plane);
-/// The same on the level plane at the load-weighted height of the soles, which with one foot is its own.
+/// The same on a level plane. It lies at the height of the soles, weighted by the load that each carries.
 Vec2 measured_zmp(const MeasuredContact& contact);
 
 }  // namespace zmpwalk

@@ -97,7 +97,7 @@ struct StepsSettings {
 
   Footsteps mode = Footsteps::kTied;
   std::vector<double> lengths;
-  double width = kNaN, clearance = kNaN, reach = kNaN, filter_time = kNaN, give = 0.3, freeze = 0.7;
+  double width = kNaN, clearance = kNaN, shift = kNaN, filter_time = kNaN, give = 0.3, freeze = 0.7;
   double capture_distance = kNaN, capture_speed = kNaN;
   bool timing = true;
   double ahead_most = kNaN, aside_most = kNaN, least_time = kNaN, wait_time = kNaN, foot_speed = kNaN;
@@ -115,7 +115,7 @@ struct StepsSettings {
       "Distance of the two feet from each other, sideways.");
     v(g.clearance, "clearance", "foot_clearance", "m", must_be::kNotNegative, {0.03, of::kComHeight},
       "Least gap that a step leaves between the edges of the two soles, sideways.");
-    v(g.reach, "reach", "foothold_reach", "m", must_be::kNotNegative, {0.25, of::kComHeight},
+    v(g.shift, "shift", "foothold_reach", "m", must_be::kNotNegative, {0.25, of::kComHeight},
       "How far a tied foothold may be moved from its nominal place to keep the robot balanced.");
     v(g.filter_time, "filter_time", "foothold_time", "s", must_be::kPositive, {0.18, of::kTimeConstant},
       "Time constant of the low-pass through which a tied foothold moves while the foot is in the air.");
@@ -208,8 +208,7 @@ struct ComSettings {
       "landed is not loaded on its heel, where the contact settles slowly.");
     v(g.least_knee, "least_knee", "least_knee", "rad", must_be::kNotNegative, {},
       "Smallest knee angle that the plan allows, so that no leg becomes straight. It leaves room for what the plan "
-      "does "
-      "not know: swing leg and pelvis move the hips against the COM.");
+      "does not know: swing leg and pelvis move the hips against the COM.");
     v(g.crouch_limit, "crouch_limit", "crouch_limit", "m", must_be::kNotNegative, {0.1, of::kComHeight},
       "How far the COM may come down so that the legs reach far enough for long steps.");
     v(g.crouch_margin, "crouch_margin", "crouch_margin", "", must_be::kNotNegative, {},
