@@ -21,7 +21,7 @@ void bind_benchmark(py::module_& m) {
       },
       "model"_a, "description"_a, "settings"_a, "profile"_a, "duration"_a, "textbook_every"_a = 20,
       "on_progress"_a = py::none(),
-      "Times the parts of every cycle of a walk side by side.\n\n"
+      "Times the parts of a control cycle while a robot walks, all in the same cycles.\n\n"
       "Args:\n    duration: simulated time [s].\n    textbook_every: equations as printed are timed in each n-th "
       "cycle; 0 "
       "never.\n    on_progress: called as f(t, duration) about 20 times a second; may raise.\n\n"

@@ -4,7 +4,9 @@
 using namespace zmpwalk;
 
 void bind_contact_space(py::module_& m) {
-  py::class_<ContactSpace>(m, "ContactSpace", "The contact space of the feet that stand: eq. 2 and 10-13.")
+  py::class_<ContactSpace>(
+      m, "ContactSpace",
+      "How joint torques act on the ground through the standing feet: the contact space, eq. 2 and 9-13.")
       .def(py::init([](const Eigen::Ref<const RowMatX>& A, const VecX& b, const VecX& g,
                        const Eigen::Ref<const RowMatX>& J_c, const VecX& drift_c) {
              ContactSpace space(static_cast<int>(J_c.cols()), static_cast<int>(J_c.rows()));
@@ -15,12 +17,13 @@ void bind_contact_space(py::module_& m) {
            "Args:\n    A: inertia (nv, nv).\n    b, g: velocity and gravity terms (nv,).\n    J_c: (6 k, nv).\n    "
            "drift_c: Jdot_c dq (6 k,).\n\n"
            "Raises:\n    DimensionError.")
-      .def_property_readonly("Lambda_c", &ContactSpace::Lambda_c, "eq. 10 (m, m)")
+      .def_property_readonly("Lambda_c", &ContactSpace::Lambda_c, "contact inertia, eq. 10 (m, m)")
       .def_property_readonly(
-          "Jbar_c", [](const ContactSpace& c) { return RowMatX(c.JbarT_c().transpose()); }, "eq. 13 (nv, m)")
-      .def_property_readonly("N_c", &ContactSpace::N_c, "eq. 2 (nv, nv)")
-      .def_property_readonly("mu_c", &ContactSpace::mu_c, "eq. 11 (m,)")
-      .def_property_readonly("p_c", &ContactSpace::p_c, "eq. 12 (m,)")
+          "Jbar_c", [](const ContactSpace& c) { return RowMatX(c.JbarT_c().transpose()); },
+          "dynamically consistent inverse of J_c, eq. 13 (nv, m)")
+      .def_property_readonly("N_c", &ContactSpace::N_c, "contact null space, eq. 2 (nv, nv)")
+      .def_property_readonly("mu_c", &ContactSpace::mu_c, "velocity forces in contact space, eq. 11 (m,)")
+      .def_property_readonly("p_c", &ContactSpace::p_c, "gravity in contact space, eq. 12 (m,)")
       .def(
           "wrench",
           [](const ContactSpace& c, const VecX& tau) {

@@ -34,7 +34,9 @@ void bind_description(py::module_& m) {
       .def_readonly("width", &Foot::width, "of the sole [m]")
       .def_readonly("leg_joints", &Foot::leg_joints, "six joint names, hip to ankle");
 
-  py::class_<RobotDescription>(m, "RobotDescription", "What tells one robot from another; all addressing is by name.")
+  py::class_<RobotDescription>(
+      m, "RobotDescription",
+      "Everything that the controller has to be told about a robot in a model. Bodies, joints and sites are named.")
       .def(py::init([](std::string name, std::string root_joint, const Foot& left, const Foot& right,
                        std::map<std::string, double> stand_joints, const Vec3& stand_base_pos,
                        const Eigen::Vector4d& stand_base_quat, std::string stand_keyframe,
@@ -65,7 +67,7 @@ void bind_description(py::module_& m) {
       .def_readonly("torque_limits", &RobotDescription::torque_limits, "by joint name, in place of the model's [N m]")
       .def(
           "check", [](const RobotDescription& d, const py::object& model) { d.check(model_of(model)); }, "model"_a,
-          "Raises ModelError unless this robot is in `model` and can be walked.")
+          "Raises ModelError unless this robot is in `model` and can walk.")
       .def(
           "drives",
           [](const RobotDescription& d, const py::object& model) {
@@ -80,8 +82,8 @@ void bind_description(py::module_& m) {
             return out;
           },
           "model"_a,
-          "Torque limit [N m], infinite without, and way of the torque (see WalkingController.torque_path), by joint "
-          "name.\n\n"
+          "By joint name: torque limit [N m], infinite without, and the way that the torque takes into MuJoCo (see "
+          "WalkingController.torque_path).\n\n"
           "Raises:\n    ModelError: as check().")
       .def(
           "place",
@@ -119,7 +121,7 @@ void bind_description(py::module_& m) {
         return pairs(description ? model_reasons(of, *description) : model_reasons(of));
       },
       "model"_a, "description"_a = std::nullopt,
-      "All that keeps a robot from walking: (rule, sentence) pairs, none where nothing does.\n\n"
+      "Every reason why a robot cannot walk, as (rule, sentence) pairs; the list is empty where it can.\n\n"
       "Args:\n    description: the robot to look at; None looks at the world alone: gravity, time step, contacts, and "
       "a tree with most of the joints that is fixed to the world.");
   m.def(

@@ -85,10 +85,9 @@ void bind_dynamics(py::module_& m) {
       "a list of FrameState: the frames that are watched (a copy)");
   dynamics.def("__copy__", [](const Dynamics& d) { return Dynamics(d); });
 
-  py::class_<PyRobot>(m, "Robot",
-                      "One robot inside a MuJoCo model: mjModel and mjData on one side, Dynamics on the other.")
+  py::class_<PyRobot>(m, "Robot", "One robot in a MuJoCo model; it reads mjData into Dynamics.")
       .def(py::init<const py::object&, const RobotDescription&>(), "model"_a, "description"_a,
-           "Raises:\n    ModelError: the robot cannot be walked.")
+           "Raises:\n    ModelError: the robot cannot walk.")
       .def(
           "read",
           [](PyRobot& r, const py::object& data) {

@@ -9,8 +9,9 @@ void bind_estimate(py::module_& m) {
       .def_readonly("zmp", &ZmpEstimate::zmp, "world x and y, on the common plane of the feet (2,) [m]")
       .def_readonly("f_c", &ZmpEstimate::f_c, "robot on ground, left then right (12,), NaN in the air")
       .def_readonly("in_contact", &ZmpEstimate::in_contact);
-  py::class_<ZmpEstimator>(m, "ZmpEstimator",
-                           "Eq. 9-15: the ZMP that a torque will produce, before it is sent. One or two standing feet.")
+  py::class_<ZmpEstimator>(
+      m, "ZmpEstimator",
+      "Estimates the ZMP that a torque will produce, before it is sent (eq. 9-15), with one or two standing feet.")
       .def(py::init<int>(), "nv"_a)
       .def(
           "update",
@@ -29,7 +30,8 @@ void bind_estimate(py::module_& m) {
           },
           "A"_a, "b"_a, "g"_a, "J_c"_a, "drift_c"_a, "standing"_a, "soles"_a, "support"_a,
           py::arg_v("ground", std::array<Plane, 2>{}, "(Plane(), Plane())"),
-          "Takes the state of one instant.\n\nArgs:\n    A (nv, nv), b, g (nv,): inertia, velocity and gravity terms.\n"
+          "Takes the state of one instant; after that, `estimate` works for any torque.\n\nArgs:\n    A (nv, nv), b, g "
+          "(nv,): inertia, velocity and gravity terms.\n"
           "    J_c (6 k, nv), drift_c (6 k,): of the k standing feet, left before right.\n    standing: (left, "
           "right).\n"
           "    soles: sole centres in W (2, 3) [m].\n    support: foot whose sole centre the plane of the ZMP "
@@ -38,8 +40,9 @@ void bind_estimate(py::module_& m) {
           "InputError.")
       .def_property_readonly(
           "zmp_plane", [](const ZmpEstimator& e) { return e.zmp_plane(); },
-          "Plane that the ZMP is taken on: common_plane of the feet")
-      .def("estimate", &ZmpEstimator::estimate, "tau"_a, "ZMP and wrenches of joint torque (joints,) [N m].");
+          "plane on which the ZMP is taken: common_plane of the feet")
+      .def("estimate", &ZmpEstimator::estimate, "tau"_a,
+           "ZMP and wrenches that the joint torque (joints,) [N m] will produce.");
   m.def("zmp_of_wrench", &zmp_of_wrench, "F"_a, "M"_a,
         "Eq. 14, 15 on the level plane through the point about which M is taken, from that point: (-M_y / F_z, M_x / "
         "F_z) "
@@ -53,5 +56,8 @@ void bind_estimate(py::module_& m) {
         return std::make_pair(b.lower, b.upper);
       },
       "length"_a, "width"_a, "ankle"_a, "pitch_torque"_a, "roll_torque"_a, "weight"_a, "sole_fraction"_a = 0.72,
-      "torque_fraction"_a = 0.9, "Designed bounds of the ZMP about the sole's centre (lower, upper), each (2,) [m].");
+      "torque_fraction"_a = 0.9,
+      "Bounds of the ZMP in one sole, from its size and the torque of the ankle: (lower, upper) about the sole's "
+      "centre, "
+      "each (2,) [m].");
 }

@@ -50,28 +50,36 @@ void bind_gait_generator(py::module_& m) {
           "phase", [](const GaitOutput& o) { return static_cast<int>(o.phase.phase); }, "0 double, 1 single support")
       .def_property_readonly("step", [](const GaitOutput& o) { return o.phase.step; })
       .def_property_readonly(
-          "phase_duration", [](const GaitOutput& o) { return o.phase.duration; }, "[s]; it changes with events")
+          "phase_duration", [](const GaitOutput& o) { return o.phase.duration; },
+          "length of the phase [s]; events change it")
       .def_property_readonly(
-          "phase_time", [](const GaitOutput& o) { return o.phase.time; }, "[s]")
+          "phase_time", [](const GaitOutput& o) { return o.phase.time; }, "time since the phase began [s]")
       .def_property_readonly(
-          "support", [](const GaitOutput& o) { return static_cast<int>(side_sign(o.support)); }, "+1 left, -1 right")
-      .def_readonly("at_rest", &GaitOutput::at_rest, "stands, and is not asked to walk")
-      .def_readonly("heading", &GaitOutput::heading, "of the walk, in the world [rad]")
-      .def_readonly("v_plan", &GaitOutput::v_plan, "planned velocity (v_x, v_y, w_z)")
-      .def_readonly("standing", &GaitOutput::standing, "(left, right)")
-      .def_readonly("zmp_lateral", &GaitOutput::zmp_lateral, "reference ZMP along the support frame's y [m]")
-      .def_readonly("w_T", &GaitOutput::w_T, "eq. 18 [m/s]")
+          "support", [](const GaitOutput& o) { return static_cast<int>(side_sign(o.support)); },
+          "foot that carries the ZMP: +1 left, -1 right")
+      .def_readonly("at_rest", &GaitOutput::at_rest, "whether the robot stands and is not asked to walk")
+      .def_readonly("heading", &GaitOutput::heading, "heading of the path in the world [rad]")
+      .def_readonly("v_plan", &GaitOutput::v_plan, "planned velocity (v_x, v_y, w_z) in the heading frame")
+      .def_readonly("standing", &GaitOutput::standing, "whether each foot stands (left, right)")
+      .def_readonly("zmp_lateral", &GaitOutput::zmp_lateral,
+                    "reference ZMP from the support sole's centre, along the y axis of the heading frame [m]")
+      .def_readonly("w_T", &GaitOutput::w_T, "w(T) of eq. 18 while a switch of the support is awaited, else NaN [m/s]")
       .def_property_readonly(
           "foothold", [](const GaitOutput& o) { return Vec3(o.foothold.p.x(), o.foothold.p.y(), o.foothold.yaw); },
-          "(x, y, yaw)")
+          "where the swing foot is to land (x, y, yaw) [m, m, rad]; NaN in double support")
       .def_property_readonly(
-          "swing_position", [](const GaitOutput& o) { return o.swing_target.p; }, "(3,) [m]")
+          "swing_position", [](const GaitOutput& o) { return o.swing_target.p; },
+          "desired place of the swing sole (3,) [m]")
       .def_property_readonly(
-          "swing_velocity", [](const GaitOutput& o) { return o.swing_target.v; }, "(3,) [m/s]")
+          "swing_velocity", [](const GaitOutput& o) { return o.swing_target.v; },
+          "desired velocity of the swing sole (3,) [m/s]")
       .def_property_readonly(
-          "swing_acceleration", [](const GaitOutput& o) { return o.swing_target.a; }, "(3,) [m/s^2]");
+          "swing_acceleration", [](const GaitOutput& o) { return o.swing_target.a; },
+          "desired acceleration of the swing sole (3,) [m/s^2]");
   py::class_<PyGait>(m, "GaitGenerator",
-                     "Phases, support switch, footholds and swing foot, from time and the COM alone.")
+                     "The gait: it decides from time and COM which foot stands, when the support switches, where feet "
+                     "land and how the "
+                     "swing foot moves there.")
       .def(py::init<double, double, double, double, double, double, const VelocityProfile&, const WalkSettings&>(),
            py::kw_only(), "com_height"_a, "gravity"_a = 9.81, "timestep"_a = 0.001, "foot_distance"_a, "sole_width"_a,
            "sole_length"_a = 0.25, "profile"_a, py::arg_v("settings", WalkSettings(), "WalkSettings()"),
@@ -93,15 +101,16 @@ void bind_gait_generator(py::module_& m) {
             return g.gait.update(input(t, com, dcom, soles, contact));
           },
           "t"_a, "com"_a, "dcom"_a, "soles"_a, py::arg_v("contact", Vec2(kNaN, kNaN), "(nan, nan)"),
-          "One cycle at time t [s]. `contact` (2,) of the left and the right foot with the ground: 1 touching, 0 not, "
-          "NaN "
-          "unknown; it ends a step where the setting touch_down is 'contact'.")
+          "Goes on by one cycle, at time t [s]. `contact` (2,) says whether the left and the right foot touch the "
+          "ground: "
+          "1 yes, 0 no, NaN unknown; it ends a step where the setting touch_down is 'contact'.")
       .def(
           "retime", [](PyGait& g, double remaining) { g.gait.retime(remaining); }, "remaining"_a,
-          "The phase under way at the last cycle ends `remaining` [s] after that cycle, whatever it was to take.\n\n"
+          "Lets the phase of the last cycle end `remaining` [s] after that cycle, however long it was to take.\n\n"
           "Raises:\n    InputError: `remaining` is not finite and > 0.")
       .def(
           "command", [](PyGait& g, const Vec3& v) { g.gait.command(v); }, "velocity"_a,
-          "From the next cycle on towards (v_x, v_y, w_z), whatever the profile says.")
+          "Commands a velocity: from the next cycle on the plan goes towards (v_x, v_y, w_z), whatever the profile "
+          "says.")
       .def_property_readonly("settings", [](const PyGait& g) { return g.settings; }, "settings in force");
 }

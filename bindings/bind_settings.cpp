@@ -41,23 +41,30 @@ std::string kind_of(const std::string& unit) {
 /// A row of the table as Python shows it.
 struct Row {
   std::string group, name, flat, type, unit, range, rule, meaning;
-  std::vector<std::string> words;
+  std::vector<std::string> words, meanings;  // of the words
   py::object default_value;
 };
 
 template <class T>
 Row row_of(const T& value, const Setting& row) {
-  Row out{row.group,   row.name, row.flat,        type_of<T>(), row.unit, row.range.text, row.default_value.text(),
-          row.meaning, {},       to_python(value)};
+  Row out{row.group,   row.name, row.flat, type_of<T>(),    row.unit, row.range.text, row.default_value.text(),
+          row.meaning, {},       {},       to_python(value)};
   if constexpr (std::is_enum_v<T>)
-    for (const auto& choice : choices(T{})) out.words.emplace_back(choice.second);
+    for (const auto& choice : choices(T{})) {
+      out.words.emplace_back(choice.word);
+      out.meanings.emplace_back(choice.meaning);
+    }
   return out;
 }
 
 /// What the setting is for, its unit, its words and its default, in one paragraph.
 std::string text_of(const Row& row) {
   std::string text = row.meaning + (row.unit.empty() ? "" : " Unit: " + row.unit + ".");
-  for (const std::string& word : row.words) text += (&word == &row.words.front() ? " One of '" : ", '") + word + "'";
+  for (std::size_t i = 0; i < row.words.size(); ++i) {
+    const std::string& meaning = row.meanings[i];
+    text += (i == 0 ? " One of '" : meaning.empty() ? ", '" : "; '") + row.words[i] + "'";
+    if (!meaning.empty()) text += ", which " + meaning;
+  }
   if (!row.words.empty()) text += ".";
   return text + " Default: " + (row.rule.empty() ? std::string(py::repr(row.default_value)) : row.rule) + ".";
 }
@@ -93,7 +100,7 @@ void from_python(const std::string& asked, const py::handle& value, const Settin
   try {
     if (std::is_same_v<T, bool> != py::isinstance<py::bool_>(value)) throw py::cast_error();
     if constexpr (std::is_enum_v<T>)
-      from_string(asked.c_str(), value.cast<std::string>(), out);
+      out = chosen<T>(asked.c_str(), value.cast<std::string>());
     else
       out = value.cast<T>();
   } catch (const py::cast_error&) {
@@ -115,9 +122,16 @@ void assign(const std::string& asked, const py::handle& value, const Setting& ro
   mode = Footsteps::kList;
 }
 
-/// Sets the one for which `is_it(row)`; false if there is none.
+/// A setting that is a word now and was true or false once: the words that these stand for.
+struct Former {
+  const char *group, *name, *now, *yes, *no;
+
+  Setting row() const { return {group, name, name, "", must_be::kAnything, {}, ""}; }
+};
+constexpr Former kFormer[] = {{"zmp", "lateral_feedback", "lateral_law", "orbit", "paper"}};
+
 template <class Group, class IsIt>
-bool set_one(const std::string& asked, const py::handle& value, Group& group, IsIt&& is_it) {
+bool set_row(const std::string& asked, const py::handle& value, Group& group, IsIt&& is_it) {
   bool found = false;
   visit_group(group, [&](auto& member, const Setting& row) {
     if (found || !is_it(row)) return;
@@ -125,6 +139,19 @@ bool set_one(const std::string& asked, const py::handle& value, Group& group, Is
     found = true;
   });
   return found;
+}
+
+/// Sets the one for which `is_it(row)`, by its former name too; false if there is none.
+template <class Group, class IsIt>
+bool set_one(const std::string& asked, const py::handle& value, Group& group, IsIt&& is_it) {
+  for (const Former& former : kFormer) {
+    if (std::string(group.kGroup) != former.group || !is_it(former.row())) continue;
+    bool was = false;
+    from_python(asked, value, former.row(), was);
+    return set_row(asked, py::str(was ? former.yes : former.no), group,
+                   [&](const Setting& row) { return std::string(former.now) == row.name; });
+  }
+  return set_row(asked, value, group, is_it);
 }
 
 /// Several at once, from a dict of names in the group, or all from another such group.
@@ -266,6 +293,10 @@ void bind_settings(py::module_& m) {
         row.flat, [flat](const WalkSettings& s) { return get(s, flat); },
         [flat](WalkSettings& s, const py::object& value) { set(s, flat, value); }, doc.c_str());
   });
+  for (const Former& former : kFormer)
+    cls.def_property(
+        former.name, [former](const WalkSettings& s) { return get(s, former.now).equal(py::str(former.yes)); },
+        [former](WalkSettings& s, const py::object& value) { set(s, former.name, value); });
   cls.def_static(
       "table",
       [] {
@@ -284,6 +315,14 @@ void bind_settings(py::module_& m) {
         visit_settings(fresh, [&](const auto& member, const Setting& row) {
           if (name == row.flat || name == row.path()) out = py::cast(row_of(member, row));
         });
+        for (const Former& former : kFormer)
+          if (name == former.name || name == former.row().path()) {
+            const std::string now = std::string(former.group) + "." + former.now;
+            Row row = row_of(true, former.row());
+            row.default_value = py::bool_(get(fresh, former.now).equal(py::str(former.yes)));
+            row.meaning = "It is " + now + " now: true stands for '" + former.yes + "', false for '" + former.no + "'.";
+            out = py::cast(row);
+          }
         if (!out) throw InputError(no_such_setting(name));
         return out.cast<Row>();
       },

@@ -120,15 +120,17 @@ void bind_simulation(py::module_& m) {
                     "after the step.")
       .def("__repr__", [](const RecordedColumn& c) { return "RecordedColumn(" + c.name + ": " + c.meaning + ")"; });
   m.def("recorded_columns", &recorded_columns, "The table of everything that is recorded, in the order of the record.");
-  py::class_<Recorder>(m, "Recorder",
-                       "Cycle records as columns; row k is the state before step k and what was decided there.")
+  py::class_<Recorder>(
+      m, "Recorder",
+      "Keeps what cycles record as columns. Row k holds the state before step k and what was decided for it.")
       .def(py::init([](const WalkingController& c) { return std::make_unique<Recorder>(c); }), "controller"_a,
            py::keep_alive<1, 2>())
       .def(
           "add", [](Recorder& r, const CycleOutput& out, const py::object& data) { r.add(out, data_of(data)); },
           "out"_a, "data"_a,
-          "Adds one row; call right after mj_step, while `data` holds the contact forces of this cycle. Held cycles "
-          "add none.")
+          "Adds one row. Call it right after mj_step, while `data` holds the contact forces of this cycle. A cycle "
+          "that held "
+          "an earlier torque adds none.")
       .def(
           "columns", [](const Recorder& r) { return take_columns(std::vector<Column>(r.columns())); },
           "Columns by name, (T,) or (T, n): a copy.")

@@ -8,7 +8,7 @@ void bind_state(py::module_& m) {
   py::class_<PyState>(
       m, "State",
       "What a control cycle knows of the robot: measured, estimated, or read from a simulator. Plain numbers.\n\n"
-      "`controller.state(data)` makes one from a simulator; whoever has numbers from elsewhere fills one in.")
+      "`controller.state(data)` makes one from a simulator's data; with numbers from elsewhere, fill one in yourself.")
       .def(py::init([](double time, const VecX& q, const VecX& dq) {
              require_size("dq", dq.size(), q.size() - 1);
              PyState state(static_cast<int>(dq.size()));
@@ -41,7 +41,7 @@ void bind_state(py::module_& m) {
       .def_property(
           "contact", [](const PyState& s) { return Vec2(s.contact[kLeft], s.contact[kRight]); },
           [](PyState& s, const Vec2& contact) { s.contact = {contact[0], contact[1]}; },
-          "1 where a foot touches the ground, 0 where it does not, NaN where nobody knows; left and right (2,)")
+          "1 where a foot touches the ground, 0 where it does not, NaN where it is unknown; left and right (2,)")
       .def_readwrite(
           "external", &PyState::named,
           "known forces on the robot, {body or site: (6,) force and moment at its frame's origin, world's axes "

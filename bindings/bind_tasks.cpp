@@ -134,8 +134,8 @@ std::vector<ExternalWrench> external_of(WalkingController& controller, const py:
 
 void bind_tasks(py::module_& m) {
   py::class_<Task, std::shared_ptr<Task>>(m, "Task", "Something that the robot is to do while it walks.")
-      .def_readwrite("priority", &Task::priority, "tasks of smaller numbers come first")
-      .def_readwrite("weight", &Task::weight, "share of its correction that is applied, more than 0 and at most 1");
+      .def_readwrite("priority", &Task::priority, "a task with a smaller number comes first")
+      .def_readwrite("weight", &Task::weight, "share of its correction that is applied, 0 to 1");
 
   py::class_<PoseReference>(m, "PoseReference",
                             "Where a frame is to be and how it is to move there, in the frame that it is relative to.")
@@ -147,7 +147,8 @@ void bind_tasks(py::module_& m) {
       .def_readwrite("p", &PoseReference::p, "position (3,) [m]")
       .def_readwrite("R", &PoseReference::R, "orientation (3, 3)")
       .def_readwrite("velocity", &PoseReference::velocity, "linear, angular (6,) [m/s, rad/s]")
-      .def_readwrite("acceleration", &PoseReference::acceleration, "linear, angular (6,), fed forward");
+      .def_readwrite("acceleration", &PoseReference::acceleration,
+                     "linear, angular (6,), fed forward [m/s^2, rad/s^2]");
 
   py::class_<FrameTask, Task, std::shared_ptr<FrameTask>>(m, "FrameTask",
                                                           "The frame of a body or a site follows a pose.")
@@ -166,7 +167,7 @@ void bind_tasks(py::module_& m) {
       .def("set", &FrameTask::set, "reference"_a, "From the next cycle on, the reference is this one.")
       .def("follow", &FrameTask::follow, "reference"_a,
            "The reference is a function of the time since the task began [s] that returns a PoseReference.")
-      .def_property_readonly("reference", &FrameTask::reference, "as of the last cycle");
+      .def_property_readonly("reference", &FrameTask::reference, "the reference of the last cycle");
 
   py::class_<JointTask, Task, std::shared_ptr<JointTask>>(m, "JointTask", "Joints outside the legs follow references.")
       .def(py::init<std::vector<std::string>, double, double>(), "joints"_a, "kp"_a = 400.0, "kd"_a = 40.0)
@@ -186,7 +187,9 @@ void bind_tasks(py::module_& m) {
           "motion"_a, "The references follow `motion` from when the task begins.");
 
   py::class_<MomentumTask, Task, std::shared_ptr<MomentumTask>>(
-      m, "MomentumTask", "The angular momentum about the COM is brought to that of turning as the walk turns.")
+      m, "MomentumTask",
+      "Keeps the angular momentum about the COM small: it is brought to that of one body which turns as the walk "
+      "turns.")
       .def(py::init([](const std::string& axes, double kd) {
              return std::make_shared<MomentumTask>(
                  one_of<MomentumTask::Axes>("axes", axes,
@@ -195,14 +198,16 @@ void bind_tasks(py::module_& m) {
            }),
            "axes"_a = "yaw", "kd"_a = 20.0);
 
-  py::class_<TaskState>(m, "TaskState",
-                        "What a task of your own is given: one instant. Good only while its compute(state) runs.")
+  py::class_<TaskState>(
+      m, "TaskState",
+      "The robot at one instant, as a task of your own gets it. It may be used only while its compute(state) runs.")
       .def_property_readonly(
-          "t", [](const TaskState& s) { return s.in().t; }, "since the walk was reset [s]")
+          "t", [](const TaskState& s) { return s.in().t; }, "time since the walk was reset [s]")
       .def_property_readonly(
-          "heading", [](const TaskState& s) { return s.in().heading; }, "of the walk, in W [rad]")
+          "heading", [](const TaskState& s) { return s.in().heading; }, "heading of the walk in the world [rad]")
       .def_property_readonly(
-          "heading_rate", [](const TaskState& s) { return s.in().heading_rate; }, "planned [rad/s]")
+          "heading_rate", [](const TaskState& s) { return s.in().heading_rate; },
+          "planned rate at which the heading turns [rad/s]")
       .def_property_readonly("dynamics", &TaskState::dynamics, "Dynamics: q, dq, com, J_com, drift_com, A, b, ...")
       .def("frame", &TaskState::frame, "name"_a,
            "FrameState of a body or site: p_WF, R_WF, velocity, J (6, nv), drift (6,). The first compute(state), when "

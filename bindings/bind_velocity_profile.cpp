@@ -30,7 +30,8 @@ void bind_velocity_profile(py::module_& m) {
       .def(py::init(&make), "t"_a, "v"_a, "interpolation"_a = "hold",
            "Args:\n    t: knot times (n,) [s], from 0, increasing.\n    v: velocities (n, 3).\n"
            "    interpolation: 'hold' or 'linear'.\n\nRaises:\n    InputError, DimensionError.")
-      .def("velocity", &VelocityProfile::velocity, "t"_a, "Velocity (3,) at time t [s]; the last value holds.")
+      .def("velocity", &VelocityProfile::velocity, "t"_a,
+           "Velocity (3,) at time t [s]; after the last knot it stays as there.")
       .def("displacement", &VelocityProfile::displacement, "t0"_a, "t1"_a,
            "Integral of the velocity from t0 to t1 (3,) [m, m, rad].")
       .def("travel", py::overload_cast<double, double>(&VelocityProfile::travel, py::const_), "t0"_a, "t1"_a,

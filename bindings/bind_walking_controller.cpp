@@ -32,10 +32,11 @@ void bind_walking_controller(py::module_& m) {
     return text.str();
   });
 
-  py::class_<WalkingController>(m, "WalkingController",
-                                "One update(data) -> CycleOutput per physics step: state in, torque out.\n\n"
-                                "Takes eq. (16) for the desired COM state, (1)-(8) for the torque, (9)-(15) for the "
-                                "ZMP it will produce, III-B to correct it.")
+  py::class_<WalkingController>(
+      m, "WalkingController",
+      "The walking controller: update(data) takes the state of the robot and gives the joint torques.\n\n"
+      "Each cycle takes eq. (16) for the desired COM state, (1)-(8) for the torque, (9)-(15) for the "
+      "ZMP that it will produce, and III-B to correct it.")
       .def(py::init([](const py::object& model, const RobotDescription& description, const WalkSettings& settings,
                        const VelocityProfile& profile) {
              return std::make_unique<WalkingController>(model_of(model), description, settings, profile);
@@ -49,10 +50,10 @@ void bind_walking_controller(py::module_& m) {
            "    InputError: a setting breaks a rule, or the profile is faster than the legs reach.")
       .def(
           "reset", [](WalkingController& c, const PyState& state) { c.reset(state); }, "state"_a,
-          "Starts a walk from a State; moves nothing.")
+          "Starts a walk from a State, and moves nothing yet.")
       .def(
           "reset", [](WalkingController& c, const py::object& data) { c.reset(data_of(data)); }, "data"_a,
-          "Reads the state and starts a walk there; moves nothing.\n\nRaises:\n    InputError: the state is not "
+          "Starts a walk from the state in `data`, and moves nothing yet.\n\nRaises:\n    InputError: the state is not "
           "finite.")
       .def(
           "state",
@@ -75,7 +76,7 @@ void bind_walking_controller(py::module_& m) {
             return c.update(known);
           },
           "state"_a, py::return_value_policy::copy,
-          "Computes the torque for a State, in the output's `tau`; changes nothing outside the controller.")
+          "Computes the torque for a State and returns it as `tau`; nothing outside the controller changes.")
       .def(
           "update",
           [](WalkingController& c, const py::object& data, bool after_step1, const py::object& external,
@@ -87,55 +88,57 @@ void bind_walking_controller(py::module_& m) {
           },
           "data"_a, "after_step1"_a = false, "external"_a = py::none(), "contact"_a = py::none(),
           py::return_value_policy::copy,
-          "Computes the torque for the state in `data`, writes data.ctrl, returns a copy of what was decided.\n\n"
-          "Args:\n    data: mujoco.MjData.\n    after_step1: mj_step1 (or mj_forward) has just run for this state, so "
-          "that "
-          "`data` holds kinematics,\n        inertia and bias forces already; the torque has the same bits, in half "
-          "the "
-          "time.\n    external: known forces on the robot, {body or site: (6,) force and moment at its frame's origin, "
+          "Computes the torque for the state in `data`, writes the control that gives it into `data`, and returns what "
+          "was "
+          "decided (a copy).\n\n"
+          "Args:\n    data: mujoco.MjData.\n    after_step1: True where mj_step1 (or mj_forward) has just run for this "
+          "state, so that `data` holds kinematics,\n        inertia and bias forces already; the torque has the same "
+          "bits, in half the time.\n    external: known forces on the robot, {body or site: (6,) force and moment at "
+          "its frame's origin, "
           "world axes\n        [N, N m]}; None where there are none.\n    contact: (left, right), 1 where a foot "
           "touches the "
-          "ground, 0 where it does not, NaN where nobody knows; None reads\n        data's own contacts of the last "
-          "step, "
-          "where the setting `touch_down` asks for them.\n\n"
+          "ground, 0 where it does not, NaN where it is unknown; None reads\n        the contacts of the last step "
+          "from `data`, if the setting `touch_down` needs them.\n\n"
           "Raises:\n    InputError: the state is not finite, its terms belong to another, or reset() was not called; "
           "nothing is\n        changed.")
       .def(
           "command", [](WalkingController& c, double vx, double vy, double wz) { c.command(Vec3(vx, vy, wz)); }, "vx"_a,
           "vy"_a = 0.0, "wz"_a = 0.0, py::call_guard<py::gil_scoped_release>(),
-          "From the next cycle on, walk with (vx, vy, wz) in the heading frame instead of the profile's velocity; "
-          "until "
-          "reset().\n\n"
-          "May be called from any thread, at any time. What the legs cannot reach is scaled down to "
-          "`within_reach`; how fast the\nrobot takes a command up is limited (settings forward_jump, "
-          "forward_acceleration, ...).\n\n"
+          "Commands a velocity: from the next cycle on the robot walks with (vx, vy, wz) in the heading frame instead "
+          "of the "
+          "profile's\nvelocity, until reset().\n\n"
+          "It may be called from any thread, at any time. A velocity that the legs cannot reach is scaled down "
+          "(`within_reach`), and the\nrobot takes it up no faster than the settings forward_jump, "
+          "forward_acceleration, ... allow.\n\n"
           "Args:\n    vx, vy: [m/s].\n    wz: [rad/s].\n\nRaises:\n    InputError: not finite.")
       .def(
           "reach_share", [](const WalkingController& c, const Vec3& velocity) { return c.reach().share(velocity); },
           "velocity"_a,
-          "Share of the legs' reach that walking with velocity (v_x, v_y, w_z) takes; at most 1 can be walked.")
+          "Share of the legs' reach that walking with velocity (v_x, v_y, w_z) uses; the robot can walk where it is at "
+          "most 1.")
       .def(
           "within_reach", [](const WalkingController& c, const Vec3& velocity) { return c.reach().within(velocity); },
           "velocity"_a, "The velocity (v_x, v_y, w_z), made smaller until its reach_share is at most 1.")
       .def_property_readonly(
           "settings", [](const WalkingController& c) { return c.settings(); },
-          "WalkSettings in force, every NaN filled in")
+          "the WalkSettings of this walk; every NaN has the robot's value")
       .def_property_readonly("profile", &WalkingController::profile)
       .def("retime", &WalkingController::retime, "remaining"_a,
-           "The phase under way, single or double support, ends `remaining` [s] after the last cycle; the swing foot "
+           "Lets the present phase, single or double support, end `remaining` [s] after the last cycle; the swing foot "
            "goes on "
            "from where\nit is without a jump. Call it between cycles.\n\nRaises:\n    InputError: not finite and > 0. "
            "A robot that stands "
            "stays as it is.")
       .def("move", &WalkingController::move, "motion"_a,
-           "Joints outside the legs, and the trunk, follow `motion` from now on; see the package's WalkingController.")
+           "Lets joints outside the legs, and the trunk, follow `motion` from now on; see the package's "
+           "WalkingController.")
       .def_property_readonly("motion", &WalkingController::motion)
       .def("add", &WalkingController::add, "task"_a, "blend"_a = kNaN,
-           "The task is met from now on; see the package's WalkingController.")
+           "Adds a task that the robot fulfils while it walks; see the package's WalkingController.")
       .def(
           "remove",
           [](WalkingController& c, const std::shared_ptr<Task>& task, double blend) { c.remove(*task, blend); },
-          "task"_a, "blend"_a = kNaN, "The task loses its effect; see the package's WalkingController.")
+          "task"_a, "blend"_a = kNaN, "Takes a task away; see the package's WalkingController.")
       .def_property_readonly("cycles", &WalkingController::cycles, "control cycles since the last reset")
       .def_property_readonly(
           "task_activations",
@@ -144,7 +147,7 @@ void bind_walking_controller(py::module_& m) {
             for (const TaskStack::Entry& entry : c.added_tasks().entries()) out.push_back(entry.activation);
             return out;
           },
-          "how far each added task acts, in the order of their priority: from 0 to its weight")
+          "how far each added task acts now, from 0 to its weight, in the order of their priority")
       .def_property_readonly(
           "active_limits", [](const WalkingController& c) { return c.output().limits.names(c.robot().joint_names()); },
           "the limits that held the last torque back, in words: [\"torque of l_knee\", \"yaw friction of the left "
@@ -158,25 +161,29 @@ void bind_walking_controller(py::module_& m) {
             for (const int j : c.robot().arm_joints()) names.push_back(c.robot().joint_names()[j]);
             return names;
           },
-          "joints outside the legs that carry less than a fifth of the robot's mass: arms, not the waist")
+          "joints that count as those of arms: they are outside the legs and carry less than a fifth of the robot's "
+          "mass")
       .def_property_readonly(
           "torque_path", [](const WalkingController& c) { return torque_path(c.robot()); },
           "how each joint's torque reaches MuJoCo, by joint name: \"motor 'l_knee'\", \"qfrc_applied: position servo "
           "'l_knee' is silenced\", ...")
       .def_property_readonly(
-          "torque_limit", [](const WalkingController& c) { return c.robot().torque_limit(); }, "(nu,) [N m]")
+          "torque_limit", [](const WalkingController& c) { return c.robot().torque_limit(); },
+          "torque limit of each joint, infinite without (joints,) [N m]")
       .def_property_readonly(
-          "mass", [](const WalkingController& c) { return c.robot().dynamics().mass; }, "[kg]")
-      .def_property_readonly("com_height", &WalkingController::com_height, "z_c over the soles [m]")
-      .def_property_readonly("Tc", &WalkingController::Tc, "sqrt(z_c / g) [s]")
+          "mass", [](const WalkingController& c) { return c.robot().dynamics().mass; }, "mass of the robot [kg]")
+      .def_property_readonly("com_height", &WalkingController::com_height, "height z_c of the COM over the soles [m]")
+      .def_property_readonly("Tc", &WalkingController::Tc, "time constant of the pendulum, sqrt(z_c / g) [s]")
       .def("knee_share", &WalkingController::knee_share, "speed"_a,
-           "Share of the knee's torque limit that its own rotor and damping take at lift-off, walking at speed [m/s].")
+           "Share of the knee's torque limit that its own rotor and damping take as the foot lifts, at a walking speed "
+           "[m/s].")
       .def_property_readonly(
           "speed_limit", [](const WalkingController& c) { return c.reach().speed_limit(); },
           "largest v_x that the legs reach [m/s]")
       .def("plan_mismatch", &WalkingController::plan_mismatch, "duration"_a,
-           "Largest speed of the footsteps minus the planned one within `duration` [s]; 0 where steps follow the "
-           "profile [m/s].")
+           "Largest difference between the speed of the footsteps and the planned one within `duration` [s], in m/s; 0 "
+           "where "
+           "the steps follow the plan.")
       .def(
           "plan",
           [](const WalkingController& c, double duration, double dt) {
@@ -205,8 +212,9 @@ void bind_walking_controller(py::module_& m) {
             return out;
           },
           "duration"_a = 3.2, "dt"_a = 0.01,
-          "Footsteps, COM and ZMP ahead of time, for a robot that does as it is told, from where the last reset "
-          "was.\n\n"
+          "Computes footsteps, COM and ZMP ahead of time, for a robot that follows them exactly, from the state of the "
+          "last "
+          "reset.\n\n"
           "Args:\n    duration: [s].\n    dt: time step of the plan [s].\n\n"
           "Returns:\n    dict: t (T,) [s], com, dcom, zmp (T, 2) [m, m/s], W; support (T,), +1 left, -1 right; steps, "
           "a "
@@ -219,5 +227,5 @@ void bind_walking_controller(py::module_& m) {
             const ZmpBounds& b = c.bounds(side == "left" ? kLeft : kRight);
             return std::make_pair(b.lower, b.upper);
           },
-          "side"_a, "Designed bounds (lower, upper), each (2,), in the sole's axes about its centre [m].");
+          "side"_a, "Bounds of the ZMP (lower, upper), each (2,), in the sole's axes about its centre [m].");
 }

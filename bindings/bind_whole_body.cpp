@@ -15,25 +15,29 @@ struct PyWholeBody : WholeBodyController {
 }  // namespace
 
 void bind_whole_body(py::module_& m) {
-  py::class_<TaskAccelerations>(m, "TaskAccelerations", "Commanded accelerations f* of the stacked tasks.")
+  py::class_<TaskAccelerations>(m, "TaskAccelerations", "Commanded accelerations f* of the walk's own tasks.")
       .def(py::init([](const Vec3& com, const Vec3& trunk, const Vec6& swing, const VecX& posture) {
              return TaskAccelerations{com, trunk, swing, posture};
            }),
            "com"_a, "trunk"_a, "swing"_a, "posture"_a)
-      .def_readwrite("com", &TaskAccelerations::com, "(3,) [m/s^2]")
-      .def_readwrite("trunk", &TaskAccelerations::trunk, "(3,), world axes [rad/s^2]")
-      .def_readwrite("swing", &TaskAccelerations::swing, "(6,), linear then angular, world axes")
-      .def_readwrite("posture", &TaskAccelerations::posture, "(joints,); leg entries are not used");
+      .def_readwrite("com", &TaskAccelerations::com, "of the COM (3,) [m/s^2]")
+      .def_readwrite("trunk", &TaskAccelerations::trunk, "of the trunk's orientation (3,), world axes [rad/s^2]")
+      .def_readwrite("swing", &TaskAccelerations::swing, "of the swing sole (6,), linear then angular, world axes")
+      .def_readwrite("posture", &TaskAccelerations::posture,
+                     "of the joints (joints,); entries of leg joints are not used");
   py::class_<WholeBodyResult>(m, "WholeBodyResult", "Torque, motion and contact wrenches.")
       .def_readonly("tau", &WholeBodyResult::tau, "(joints,) [N m]")
       .def_readonly("ddq", &WholeBodyResult::ddq, "(nv,)")
       .def_readonly("f_c", &WholeBodyResult::f_c, "robot on ground, left then right (12,), NaN in the air")
-      .def_readonly("damped", &WholeBodyResult::damped, "a leg was near singular");
+      .def_readonly("damped", &WholeBodyResult::damped,
+                    "whether the motion was damped, since a leg was nearly straight");
   py::class_<PyWholeBody>(
       m, "WholeBodyController",
-      "Contact-consistent whole-body control of a biped, eq. 1-7: COM, trunk, swing foot and posture, stacked.\n\n"
-      "Everything is affine in the COM's horizontal acceleration: prepare() once, then zmp() and solve() cost next to "
-      "nothing.")
+      "Computes the joint torques of a biped that give COM, trunk, swing foot and posture their commanded "
+      "accelerations "
+      "while the standing feet keep still (eq. 1-7).\n\n"
+      "Everything is affine in the COM's horizontal acceleration: after one prepare(), zmp() and solve() cost next to "
+      "nothing for each acceleration.")
       .def(py::init([](int nv, const std::array<std::vector<int>, 2>& legs, bool textbook, bool posture_task,
                        bool wrench_distribution, double contact_damping) {
              WholeBodyOptions options;
@@ -75,7 +79,7 @@ void bind_whole_body(py::module_& m) {
           "level "
           "plane.")
       .def_property_readonly(
-          "zmp_plane", [](const PyWholeBody& c) { return c.zmp_plane(); }, "Plane that the ZMP is taken on")
+          "zmp_plane", [](const PyWholeBody& c) { return c.zmp_plane(); }, "plane on which the ZMP is taken")
       .def_property_readonly(
           "feet", [](const PyWholeBody& c) { return c.feet(); }, "Contact of the left and the right foot, as prepared")
       .def(

@@ -35,9 +35,10 @@ void require_halves(const mjModel* model) {
 
 double relative(const ConstVecRef& a, const ConstVecRef& b) { return (a - b).norm() / std::max(b.norm(), 1e-12); }
 
-constexpr double kPiece = 0.02;  // of a walk, timed at once; short beside what a busy machine gives to others [s]
+constexpr double kPiece =
+    0.02;  // length of the piece of a walk that is timed at once [s]; short beside the time that a busy machine gives to others
 
-/// What a walk gives to MuJoCo, step by step.
+/// The controls that a walk writes into MuJoCo's data, step by step.
 struct Commands {
   int nu, nv;
   std::vector<double> ctrl, applied;

@@ -130,10 +130,7 @@ RunResult Simulation::run(double duration, Recorder& recorder, const std::functi
     if (diverged(d)) d->time = t + dt;
     recorder.add(out, d);
     if (out.fresh) {
-      for (const Side side : kSides) {
-        felt.wrench[side] = recorder.contact().wrench.segment<6>(6 * side);
-        felt.contact[side] = std::isnan(felt.wrench[side].z()) ? 0.0 : 1.0;
-      }
+      felt = felt_by(recorder.contact());
       const bool touches = felt.contact[kLeft] + felt.contact[kRight] > 0.0;
       airborne = touches ? 0.0 : airborne + controller_.settings().control.dt;
     }

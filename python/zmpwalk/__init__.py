@@ -1,9 +1,11 @@
-"""zmpwalk: a walking controller for MuJoCo humanoids, by whole-body control and estimated ZMP.
+"""zmpwalk makes humanoid robots walk in MuJoCo: you give a velocity, it computes the joint torques.
+
+Before it sends a torque it estimates the zero moment point (ZMP) that the torque will produce.
 
 Usage:
     import zmpwalk
     trace = zmpwalk.simulate("mahru", duration=8.0)
-    trace.summary()
+    print(trace.summary())
 """
 
 from __future__ import annotations
@@ -129,7 +131,7 @@ __all__ = [
 
 
 def _plot(*arguments: Any, **options: Any) -> Any:
-    """`Trace.plot`: matplotlib is slow to import, so only when something is to be drawn."""
+    """`Trace.plot`. It imports matplotlib, which is slow, only when something is to be drawn."""
     from . import plot
 
     return plot.draw(*arguments, **options)
@@ -139,7 +141,7 @@ trace.ABOVE.update(plot=_plot, rerun=simulation.rerun)
 
 
 def __getattr__(name: str) -> ModuleType:
-    """What is slow to import, imported when first asked for."""
+    """Imports a module that is slow to import when it is first asked for."""
     if name in ("plot", "render", "view"):
         return import_module(f".{name}", __name__)
     raise AttributeError(f"module 'zmpwalk' has no attribute '{name}'")

@@ -1,4 +1,4 @@
-"""Before the extension is loaded: are the installed MuJoCo and NumPy those that it can run with?
+"""Checks, before the extension is loaded, that it can run with the installed MuJoCo and NumPy.
 
 The extension is linked to one version of libmujoco. With another one the dynamic linker would speak first, and less
 clearly; so the versions are compared before, from the packages' metadata and as strings, since MuJoCo's version
@@ -15,7 +15,7 @@ REBUILD = "pip install --no-build-isolation --no-deps --force-reinstall ."
 
 
 def check_versions(compiled: str, mujoco: "str | None", numpy: "str | None") -> None:
-    """Refuse what cannot work.
+    """Refuse versions that do not work together.
 
     Args:
         compiled: MuJoCo version that the extension was compiled against, such as ``"2.2.2"``.

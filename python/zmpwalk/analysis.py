@@ -1,4 +1,4 @@
-"""What a walk's acceptance is read from: switch times, ZMP windows, offsets at mid-stance, errors by phase, the path.
+"""Numbers that say how good a walk was: switch times, ZMP windows, offsets at mid-stance, errors by phase, the path.
 
 Every function takes a `Trace`, or anything with the same columns as attributes.
 """
@@ -34,7 +34,7 @@ class Window(NamedTuple):
 
 
 def switch_times(trace: Any) -> np.ndarray:
-    """Time into double support at which the ZMP moved to the other foot, one per switch (III-D).
+    """Time since the double support began at which the ZMP moved to the other foot, one for each switch (III-D).
 
     Returns:
         (n,) [s].
@@ -61,7 +61,7 @@ def zmp_windows(trace: Any, shortest: float = 0.0) -> list[Window]:
 
 
 def midstance_offset(trace: Any) -> np.ndarray:
-    """COM minus support sole's centre along x in the middle of each single support (n,) [m]."""
+    """How far the COM is ahead of the support sole's centre in the middle of each single support, along x (n,) [m]."""
     offsets = []
     for step in range(int(trace.step[-1]) + 1):
         rows = np.flatnonzero((trace.step == step) & (trace.phase == 1))
@@ -74,7 +74,7 @@ def midstance_offset(trace: Any) -> np.ndarray:
 
 
 def zmp_error(trace: Any, single_support: bool = False) -> np.ndarray:
-    """|estimated ZMP - CoP of MuJoCo's contacts|, cycles with contact only (n, 2) [m].
+    """|estimated ZMP - centre of pressure of MuJoCo's contact forces|, in cycles with contact only (n, 2) [m].
 
     Args:
         single_support: only cycles of single support.
@@ -87,7 +87,7 @@ def zmp_error(trace: Any, single_support: bool = False) -> np.ndarray:
 
 
 def bound_excess(trace: Any, single_support: bool = True) -> np.ndarray:
-    """How far the estimated ZMP was beyond its designed bounds, each cycle and axis (n, 2) [m]; negative inside.
+    """How far the estimated ZMP was beyond its bounds, for each cycle and axis (n, 2) [m]; negative inside.
 
     The axes are those of the support sole, along which the bounds run.
     """
@@ -143,9 +143,10 @@ def feet_pose(foot_left: np.ndarray, foot_right: np.ndarray) -> np.ndarray:
 
 
 def planned_path(trace: Any, as_given: bool = False) -> np.ndarray:
-    """Where the planned velocity leads from where the feet stood first (T, 3): x, y [m], yaw (unwrapped) [rad], W.
+    """Where the planned velocity leads from the place where the feet stood first (T, 3): x, y [m], yaw (unwrapped)
+    [rad], W.
 
-    Each cycle turns and goes with its own velocity: exact where that is held.
+    Each cycle turns and goes with its own velocity, which is exact while the velocity is constant.
 
     Args:
         as_given: the velocities of the profile and of live commands instead of v_plan, which changes no faster than

@@ -1,4 +1,4 @@
-"""How fast the controller is on this machine: every figure of the benchmark page, measured side by side."""
+"""Measures how fast the controller is on this machine: every number of docs/benchmarks.md."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def bench(
     parts: tuple[str, ...] | None = None,
     on_progress: Callable[[str, float], None] | None = None,
 ) -> Result:
-    """Measure; what is compared is measured in one process, cycle by cycle in turn.
+    """Measure how fast the controller is. What is compared is measured in one process, cycle by cycle in turn.
 
     Args:
         robot: what `load_robot` takes.

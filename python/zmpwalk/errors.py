@@ -1,4 +1,4 @@
-"""What zmpwalk raises when a caller makes a mistake: a few types under one :class:`Error`.
+"""The exceptions that zmpwalk raises when a caller makes a mistake: a few types under one :class:`Error`.
 
 A physical event, such as a fall or a clamped ZMP, is never an error: it is a flag in the output.
 """
@@ -12,7 +12,7 @@ __all__ = ["DimensionError", "Error", "InputError", "ModelError", "VersionError"
 
 
 class Error(Exception):
-    """Base of everything that zmpwalk raises on purpose.
+    """Base class of everything that zmpwalk raises on purpose.
 
     Example:
         >>> try:
@@ -23,15 +23,15 @@ class Error(Exception):
 
 
 class InputError(Error, ValueError):
-    """A value that cannot be: NaN or infinite, out of its range, an unknown name, a file that cannot be read."""
+    """A value breaks a rule: it is NaN, infinite or out of its range, a name is unknown, or a file cannot be read."""
 
 
 class DimensionError(Error, ValueError):
-    """An array of the wrong shape; the message gives both shapes."""
+    """An array has the wrong shape; the message gives both shapes."""
 
 
 class ModelError(Error, ValueError):
-    """A model or a robot description that cannot walk: no free joint, no feet, no motors, names that do not exist.
+    """A model or a robot description cannot walk: it has no free joint, feet or motors, or names do not exist.
 
     Args:
         reasons: one line each; the message is the first and says how many there are.
@@ -51,7 +51,7 @@ class VersionError(Error, ImportError):
 
 
 def nearest(name: str, known: Iterable[str]) -> list[str]:
-    """Up to three of `known` that look like `name`, or all of them: what a message offers in place of a wrong name.
+    """Up to three of `known` that look like `name`, or all of them. A message offers them in place of a wrong name.
 
     Usage: `nearest("comm", ["com", "dcom", "tau"])  # -> ["com", "dcom"]`
     """

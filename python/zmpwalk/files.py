@@ -1,4 +1,4 @@
-"""Files that are there whole or not at all, and the sentences for those that cannot be read or written."""
+"""Writes files so that they are there whole or not at all, and says why one cannot be read or written."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def together(folder: Path) -> Iterator[tuple[Path, Callable[[Sequence[Path]], No
 
 @contextmanager
 def as_input_error(path: str | os.PathLike) -> Iterator[None]:
-    """Whoever named a `path` that the block cannot write is told so by an InputError in place of the OSError.
+    """Turns the OSError of a block that cannot write `path` into an InputError that says so.
 
     Usage: `with as_input_error(path), whole(path) as draft: draft.write_text(text)`
     """

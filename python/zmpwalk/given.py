@@ -1,4 +1,4 @@
-"""What may be given where settings go: the settings themselves, a few changes, a law's name or a file."""
+"""The forms in which settings may be given: the settings themselves, a few changes, a law's name or a file."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Settings = Union[WalkSettings, Mapping[str, Any], str, "os.PathLike[str]", None]
 
 
 def settings_of(settings: Settings) -> WalkSettings:
-    """The settings that were given in one of these forms.
+    """Makes the settings that were given in one of these forms.
 
     Args:
         settings: None takes `WalkSettings()`; a mapping of names to values changes these, of the preset that its key

@@ -1,4 +1,4 @@
-"""Joint motions: what arms, waist and trunk do while the legs walk."""
+"""Joint motions say what arms, waist and trunk do while the legs walk."""
 
 from __future__ import annotations
 
@@ -36,11 +36,11 @@ class OfRobot(Protocol):
 
 
 class JointMotion(_core.JointMotion):
-    """References of joints over time: a cubic spline with continuous acceleration through knots.
+    """A motion of joints that is known beforehand: a cubic spline through knots, with continuous acceleration.
 
-    It starts and ends at rest, and its last value holds. Besides the model's joints there are `trunk_roll`,
-    `trunk_pitch` and `trunk_yaw` [rad]: the trunk's turn from where it stands, R_z(yaw) R_y(pitch) R_x(roll), in the
-    heading frame.
+    It starts and ends at rest, and keeps its last value. Besides the model's joints it may name `trunk_roll`,
+    `trunk_pitch` and `trunk_yaw` [rad]. They turn the trunk from its orientation at the start by
+    R_z(yaw) R_y(pitch) R_x(roll), in the heading frame.
 
     Args:
         t: (n,) [s] knots, the first 0, strictly increasing.
@@ -63,7 +63,7 @@ class JointMotion(_core.JointMotion):
         dt: float = 0.02,
         ease: float = 0.5,
     ) -> JointMotion:
-        """Sample a function, its clock eased in and out so that any function starts and ends at rest.
+        """Sample a function of time. Its clock starts and stops gently, so that any function starts and ends at rest.
 
         Args:
             f: time [s], 0 to duration - ease, -> (m,) positions [rad or m].
@@ -130,7 +130,7 @@ class JointMotion(_core.JointMotion):
         spacing: float = 0.5,
         names: Sequence[str] | None = None,
     ) -> JointMotion:
-        """Random targets within the joints' limits, from the stand and back to it.
+        """Go to random targets within the joints' limits, from the start pose and back to it.
 
         Args:
             controller: the `WalkingController` of the robot that it is for.

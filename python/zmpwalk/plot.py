@@ -1,4 +1,4 @@
-"""The paper's figures and the walk from above, each drawn from a Trace alone.
+"""Draws the paper's figures and the walk from above, each from a Trace alone.
 
 Every function takes a trace and returns a matplotlib Figure; a notebook shows it, `save_all` writes them all. What the
 colours mean, and the drawing itself, is in `zmpwalk.figures`.

@@ -1,4 +1,4 @@
-"""Velocity profiles: the planned velocity over time that the robot is asked to follow (III-C, IV)."""
+"""Velocity profiles say with which velocity the robot is to walk over time (III-C, IV)."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ COLUMNS = ("t", "vx", "vy", "wz")
 
 
 class VelocityProfile(_core.VelocityProfile):
-    """Planned velocity in the robot's heading frame over time.
+    """A velocity over time in the heading frame of the walk.
 
     Args:
         t: (n,) [s] instants, the first 0, strictly increasing.
@@ -240,7 +240,7 @@ class VelocityProfile(_core.VelocityProfile):
 
 
 def profile_of(profile: Profile) -> VelocityProfile:
-    """The velocity profile that was given in one of these forms.
+    """Makes the velocity profile that was given in one of these forms.
 
     Args:
         profile: None takes `VelocityProfile.paper()`; a number is vx for ever [m/s], three numbers (vx, vy, wz) for

@@ -60,8 +60,8 @@ def load_settings(path: str | os.PathLike, law: str | None = None, **changes: An
 def settings_toml(controller: WalkingController, given: WalkSettings) -> str:
     """Every setting in force on a robot, as a TOML file that `load_settings` reads back to `given`.
 
-    A table per group. Above each setting stands what it is for. What was changed stands as it is, every default behind
-    a `#`, with its value on this robot.
+    Each group is a table, and above each setting stands what it is for. A setting that was changed stands as it is;
+    every default stands behind a `#`, with its value on this robot.
 
     Args:
         controller: made with `given`; its settings are the resolved ones.

@@ -1,4 +1,4 @@
-"""Walking from Python: the controller with its defaults, the recorder, and the closed loop that runs in C++."""
+"""Walking from Python: the controller, the recorder, and the closed loop that runs in C++."""
 
 from __future__ import annotations
 
@@ -31,11 +31,12 @@ _NO_MOTION = _core.JointMotion([0.0], [], np.zeros((1, 0)))
 
 
 class WalkingController(_core.WalkingController):
-    """The walking controller: one `update` per cycle.
+    """The walking controller: in each cycle `update` takes the state of the robot and gives the joint torques.
 
     Args:
         model: MuJoCo's model, of which the robot may be only a part.
-        description: where the feet are; None reads it from the model's own marks (`describe`).
+        description: where feet and legs are, and how the robot stands; None reads it from the model's own marks
+            (`describe`).
         settings: gains, bounds and switches: `WalkSettings`, a dictionary of changes, a law's name or a TOML file;
             None takes `WalkSettings()`.
         profile: planned velocity: a `VelocityProfile`, vx [m/s], (vx, vy, wz), pairs (t, v), a text such as
@@ -43,7 +44,7 @@ class WalkingController(_core.WalkingController):
 
     Raises:
         ModelError: the model lacks what the description names, or cannot walk.
-        InputError: a setting or a speed outside what the robot can do; says the limit.
+        InputError: a setting breaks its rule, or the profile is faster than the legs reach; the message says the limit.
 
     Usage: `controller = zmpwalk.WalkingController(model); controller.reset(data); out = controller.update(data)`
     """
@@ -62,7 +63,7 @@ class WalkingController(_core.WalkingController):
             profile=profile_of(profile),
         )
         self._model = model
-        self._tasks: list[dict[str, Any]] = []  # who was added, and in which cycle; who removed
+        self._tasks: list[dict[str, Any]] = []  # which task was added in which cycle, and in which it was removed
 
     def __repr__(self) -> str:
         robot = f"{self.description.name}, {len(self.joint_names)} joints, {self.mass:.1f} kg"
@@ -84,26 +85,26 @@ class WalkingController(_core.WalkingController):
         return JointMotion.of(super().motion) if super().motion.names else None
 
     def move(self, motion: _core.JointMotion | None) -> None:
-        """Arms, waist and trunk follow a motion from the last cycle on, while the legs walk.
+        """Let arms, waist and trunk follow a motion from the last cycle on, while the legs walk.
 
-        Its references, with speed and acceleration, feed the posture and trunk tasks:
-        f* = ddq_ref + k_p (q_ref - q) + k_d (dq_ref - dq). The reference goes over into the motion within the setting
-        `motion_blend` without a jump in position, speed or acceleration; what the motion does not name goes back to
-        the stand. `reset` begins the motion anew. Call it between cycles.
+        The posture and trunk tasks follow position, speed and acceleration of the motion:
+        f* = ddq_ref + k_p (q_ref - q) + k_d (dq_ref - dq). Within the setting `motion_blend` the reference goes over
+        into the motion without a jump in position, speed or acceleration. Joints that the motion does not name go back
+        to the start pose. `reset` begins the motion anew. Call it between cycles.
 
         Args:
-            motion: None takes everything back to the stand.
+            motion: None takes everything back to the start pose.
 
         Raises:
-            InputError: a name that is no joint, or a leg's; a joint beyond its range, a trunk turned by more than half
-                of the setting `fall_tilt`; the posture task is off. Nothing is changed then.
+            InputError: a name is no joint or is a joint of a leg, a joint goes beyond its range, the trunk turns by
+                more than half of the setting `fall_tilt`, or the posture task is off. Nothing is changed then.
 
         Usage: `controller.move(JointMotion([0, 1], ["l_elbow"], [[-0.3], [-1.5]]))`
         """
         super().move(_NO_MOTION if motion is None else motion)
 
     def reset(self, data: mujoco.MjData | _core.State) -> None:
-        """Read the state and start a walk there; moves nothing. Tasks that were added begin anew.
+        """Start a walk from the state in `data`, and move nothing yet. Tasks that were added begin anew.
 
         Raises:
             InputError: the state is not finite.
@@ -116,9 +117,10 @@ class WalkingController(_core.WalkingController):
     def add(self, task: Any, blend: float = math.nan) -> None:  # type: ignore[override]
         """Let the robot do something besides walking, with the joints outside the legs, from the next cycle on.
 
-        The walk's own tasks come first: contacts, swing foot, COM, trunk. The tasks that are added act in what these
-        leave free, in the order of their `priority` numbers; the posture, with the motion (`move`) and the swinging
-        arms (`momentum_arms`), has the rest. The estimate of the ZMP knows all of it. Call it between cycles.
+        The walk's own tasks come first: contacts, swing foot, COM, trunk. The added tasks use the motions that these
+        leave free, in the order of their `priority` numbers. The posture, with the motion (`move`) and the swinging
+        arms (`momentum_arms`), gets the rest. The estimate of the ZMP takes all of it into account. Call it between
+        cycles.
 
         Args:
             task: a `FrameTask`, `JointTask`, `MomentumTask`, or an object of yours with `compute(state)`
@@ -126,9 +128,9 @@ class WalkingController(_core.WalkingController):
             blend: time within which the task gains its effect [s]; NaN takes the setting `motion_blend`.
 
         Raises:
-            InputError: a name that the robot does not have; a task that has been added already, here or elsewhere; a
-                weight that is not above 0 and at most 1; settings that tasks do not go with (`textbook`, without
-                `posture_task` or `wrench_distribution`). Whatever the `compute` of a task of yours raises.
+            InputError: the robot has no such name, the task was added already, here or to another controller, its
+                weight is not above 0 and at most 1, or the settings do not allow tasks (with `textbook`, or without
+                `posture_task` or `wrench_distribution`). Whatever the `compute` of your own task raises.
 
         Usage: `controller.add(zmpwalk.FrameTask("left_hand"))`
         """
@@ -140,10 +142,10 @@ class WalkingController(_core.WalkingController):
         self._tasks.append({"given": task, "core": core, "add": [self.cycles, blend], "remove": None})
 
     def remove(self, task: Any, blend: float = math.nan) -> None:  # type: ignore[override]
-        """Let go of a task that was added; its effect fades within `blend`. Call it between cycles.
+        """End a task that was added; its effect fades within `blend`. Call it between cycles.
 
         Args:
-            task: what `add` was given.
+            task: the object that `add` was given.
             blend: [s]; NaN takes the setting `motion_blend`.
 
         Raises:
@@ -177,7 +179,7 @@ class WalkingController(_core.WalkingController):
 
 
 class Recorder:
-    """Collects cycles of a loop of your own into a `Trace`.
+    """Collects the cycles of your own loop into a `Trace`.
 
     Args:
         controller: the controller whose cycles are recorded.
@@ -193,7 +195,8 @@ class Recorder:
         self._cause = ""
 
     def add(self, out: _core.CycleOutput, data: mujoco.MjData) -> None:
-        """Take in one cycle, right after `mj_step`: the contact forces of this cycle exist only then.
+        """Record one cycle. Call it right after `mj_step`, because only then are the contact forces of this cycle
+        known.
 
         Args:
             out: what `controller.update(data)` returned before the step.
@@ -205,7 +208,7 @@ class Recorder:
         self._cause = self._cause or str(getattr(out, "fall_cause", "") or "")
 
     def trace(self) -> Trace:
-        """Everything so far.
+        """Everything that was recorded so far.
 
         Returns:
             The trace; its `meta["timing"]` is empty, for only `simulate` measures the time of a cycle.
@@ -234,10 +237,10 @@ def simulate(
     command: Steer | None = None,
     tasks: Sequence[Any] = (),
 ) -> Trace:
-    """Walk in MuJoCo, wholly in C++, and return the record.
+    """Walk a robot in MuJoCo, wholly in C++, and return what was recorded.
 
-    The robot starts in its description's pose. The run ends after `duration`, or when the robot falls, which is an
-    event and not an error: `trace.meta` says when and why.
+    The robot starts in the pose of its description. The run ends after `duration`, or when the robot falls. A fall is
+    no error: `trace.meta` says when and why it happened.
 
     Args:
         robot: what `load_robot` takes: a name, a path, a model, or (model, description).
@@ -247,18 +250,18 @@ def simulate(
         settings: `WalkSettings`, a dictionary of changes, a law's name or a TOML file; None takes `WalkSettings()`.
         on_progress: called about ten times a second with (t, duration) [s]; what it raises stops the run and passes on.
         seed: kept in the trace; nothing is random yet.
-        motion: what arms, waist and trunk do meanwhile (`WalkingController.move`); None lets them stand.
+        motion: what arms, waist and trunk do meanwhile (`WalkingController.move`); None keeps them in the start pose.
         command: called as f(t [s], out) with the `CycleOutput` of the first cycle and then every 0.02 s of simulated
-            time; what it returns is commanded from the next cycle on (`WalkingController.command`): vx or (vx, vy, wz)
-            in the heading frame [m/s, m/s, rad/s], None leaves the command as it is, and until the first one the
-            profile leads. StopIteration ends the walk; what else it raises stops the run and passes on.
-        tasks: what the robot does besides, from the start (`WalkingController.add`).
+            time. It returns the velocity to walk with from the next cycle on (`WalkingController.command`): vx or
+            (vx, vy, wz) in the heading frame [m/s, m/s, rad/s]. None leaves the command as it is; until the first
+            command the profile leads. StopIteration ends the walk; any other exception stops the run and passes on.
+        tasks: tasks that the robot fulfils besides walking, from the start (`WalkingController.add`).
 
     Returns:
         The trace, one row per control cycle.
 
     Raises:
-        InputError: a bad duration, setting, speed or command.  ModelError: a robot that cannot be used.
+        InputError: a duration, setting, speed or command breaks its rule.  ModelError: the robot cannot walk.
         KeyboardInterrupt: Ctrl-C, within 0.1 s.
 
     Usage: `trace = zmpwalk.simulate("mahru", profile=0.2, duration=10, settings={"step_height": 0.05})`
@@ -277,12 +280,12 @@ def simulate_batch(
     threads: int | None = None,
     on_progress: Progress | None = None,
 ) -> list[Trace]:
-    """Walk many times, side by side on threads; each walk has its own controller and data, equal robots share a model.
+    """Walk many times, side by side on threads. Each walk has its own controller and data; equal robots share a model.
 
     The interpreter's lock is free while walks run. A trace has the same bits whatever the number of threads.
 
     Args:
-        runs: one mapping a walk, with the arguments of `simulate` but on_progress.
+        runs: one mapping for each walk, with the arguments of `simulate` except on_progress.
         threads: how many walk at a time; None takes the processors this process may use.
         on_progress: called now and then with (t, duration) [s], simulated time of all walks together.
 
@@ -384,7 +387,7 @@ def _velocity(v: float | Sequence[float] | None) -> np.ndarray | None:
 
 
 def name_of(robot: Robot) -> str | None:
-    """What a trace calls `robot`: the name it was asked for by, None for a path or a model."""
+    """The name by which a trace calls `robot`: the one that was given, None for a path or a model."""
     return robot if isinstance(robot, str) and robot.isidentifier() else None
 
 
@@ -395,7 +398,7 @@ def _check_seed(seed: int) -> int:
 
 
 def check_duration(duration: float) -> float:
-    """`duration` [s] if it is one.
+    """Returns `duration` [s] as a number.
 
     Raises:
         InputError: not a positive, finite number.

@@ -1,4 +1,4 @@
-"""Tasks of your own while the robot walks: hands that hold a pose, joints, angular momentum, and Python experiments."""
+"""Tasks that the robot fulfils while it walks: hands hold a pose, joints or the angular momentum follow, or yours."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class Task(Protocol):
 
 
 class _Described:
-    """What a task needs to be written into a trace: how it was made."""
+    """Remembers how a task was made, so that a trace can hold it."""
 
     _made: dict[str, Any]
     _changed = ""
@@ -58,10 +58,11 @@ class _Described:
 
 
 class FrameTask(_Described, _core.FrameTask):
-    """The frame of a body or a site follows a pose: a hand that points, holds, or carries a tray.
+    """Lets the frame of a body or a site follow a pose: a hand points, holds something, or carries a tray.
 
-    Without a reference the frame stays where it is when the task begins. With one it goes there within the blend time
-    of `add`, without a jump in position or speed, and follows. f* = a_ref + k_p (x_ref - x) + k_d (v_ref - v).
+    Without a reference the frame stays where it is when the task begins. With a reference it goes there within the
+    blend time of `add`, without a jump in position or speed, and then follows it. f* = a_ref + k_p (x_ref - x) + k_d
+    (v_ref - v).
 
     Args:
         frame: name of a body or a site of the robot.
@@ -130,8 +131,8 @@ class FrameTask(_Described, _core.FrameTask):
         The task follows at once: a reference that jumps makes it pull. Velocity and acceleration are fed forward.
 
         Args:
-            position: (3,) [m]; a task on the orientation alone does without.
-            orientation: quaternion (w, x, y, z) or matrix (3, 3); a task on the position alone does without.
+            position: (3,) [m]; a task on the orientation alone needs none.
+            orientation: quaternion (w, x, y, z) or matrix (3, 3); a task on the position alone needs none.
             velocity: (3,) linear, or (6,) linear and angular [m/s, rad/s]; None is at rest.
             acceleration: the same [m/s^2, rad/s^2].
 
@@ -188,7 +189,7 @@ class FrameTask(_Described, _core.FrameTask):
 
 
 class JointTask(_Described, _core.JointTask):
-    """Joints outside the legs follow references, before the tasks of larger `priority` numbers and before the posture.
+    """Lets joints outside the legs follow references.
 
     Args:
         joints: {name: position [rad or m]}; or names, which stay where they are when the task begins; or a
@@ -250,10 +251,10 @@ class JointTask(_Described, _core.JointTask):
 
 
 class MomentumTask(_Described, _core.MomentumTask):
-    """The angular momentum about the COM is brought to that of turning as the walk turns, by arms and waist.
+    """Keeps the angular momentum L about the COM small, by moving arms and waist.
 
-    f* = k_d (L_ref - L). The task holds no joint at its place: with a weight of less than 1 the posture keeps a say in
-    the task's own direction, and brings the arms home.
+    f* = k_d (L_ref - L), where L_ref is that of one body which turns as the walk turns. The task does not bring the
+    arms home. With a weight below 1 it leaves a share to the posture, which does.
 
     Args:
         axes: "yaw": about the vertical; "all": about all three axes.
@@ -273,7 +274,7 @@ class MomentumTask(_Described, _core.MomentumTask):
 
 
 def core_task(task: Any) -> _core.Task:
-    """The task as the core takes it: `task` itself, or a wrapper of a Python object with `compute`.
+    """The task in the form that the core takes: `task` itself, or a wrapper of a Python object with `compute`.
 
     Raises:
         InputError: neither.

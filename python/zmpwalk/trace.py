@@ -1,4 +1,4 @@
-"""Trace: everything a walk did, cycle by cycle, in one value that can be saved, replotted and run again."""
+"""A trace holds everything that a walk did, cycle by cycle. It can be saved, plotted again and run again."""
 
 from __future__ import annotations
 
@@ -41,9 +41,10 @@ AXES = {2: ["x", "y"], 3: ["x", "y", "z"]}  # of columns that are not in the tab
 class Trace(RecordedColumns, Mapping):
     """The record of a walk: a mapping of column names to arrays, each also an attribute.
 
-    Row k is the state before step k and what was decided there. SI, world frame (z up) unless said, quaternions
-    (w, x, y, z). Columns are read-only float arrays (T,) or (T, n); what is true or false is 1 or 0.
-    `print(trace.describe())` tells what each column means, `Trace.columns()` holds the same as values.
+    Row k holds the state before step k and what was decided for it. Units are SI, the frame is the world (z up) unless
+    said otherwise, and quaternions are (w, x, y, z). Columns are read-only float arrays (T,) or (T, n); what is true
+    or false is 1 or 0. `print(trace.describe())` tells what each column means, `Trace.columns()` holds the same as
+    values.
 
     `meta` tells what was run: settings, description, profile, versions, model hash, seed, limits, fall, timing.
 
@@ -186,7 +187,7 @@ class Trace(RecordedColumns, Mapping):
 
     @property
     def motion(self) -> JointMotion | None:
-        """What arms, waist and trunk did meanwhile; None where they stood."""
+        """The motion of arms, waist and trunk during the walk; None where they kept the start pose."""
         motion = self.meta.get("motion")
         return None if motion is None else JointMotion.from_dict(motion)
 
@@ -225,7 +226,7 @@ class Trace(RecordedColumns, Mapping):
         return self.meta[key]
 
     def rerun(self, on_progress: Callable[[float, float], None] | None = None) -> Trace:
-        """Walk again what this trace recorded, from nothing but the trace.
+        """Repeat the walk that this trace recorded, from nothing but the trace.
 
         Args:
             on_progress: called with (t, duration) [s] now and then; may raise to stop.
@@ -364,7 +365,7 @@ class Trace(RecordedColumns, Mapping):
     # --- what came of it
 
     def summary(self) -> dict[str, Any]:
-        """The walk in a few numbers.
+        """Say how the walk went in a few numbers.
 
         Returns:
             robot, mujoco_version, duration [s], fell, fall_time [s], fall_cause, step_count (touch-downs);

@@ -1,4 +1,4 @@
-"""A live window on a robot that walks by the keyboard, in every supported MuJoCo."""
+"""A live window on a robot that the keyboard walks, in every supported MuJoCo."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ AXES = {  # of the command, and which way
 
 
 class Steering:
-    """Makes keys into a velocity command; knows of no window.
+    """Turns keys into a velocity command. It knows of no window.
 
     Args:
         step: what a key adds (3,): vx, vy, wz [m/s, m/s, rad/s].
@@ -94,7 +94,7 @@ class Steering:
 
 
 class LiveWalk:
-    """A walk that goes on by bits of time and obeys keys; what the window shows, without the window.
+    """A walk that goes on bit by bit and obeys keys: what the window shows, without the window.
 
     Args:
         robot: what `load_robot` takes.

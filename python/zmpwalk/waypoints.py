@@ -1,4 +1,4 @@
-"""Walking to places: a velocity command that leads the walk from pose to pose."""
+"""Walks to places: velocity commands lead the robot from pose to pose."""
 
 from __future__ import annotations
 
@@ -24,10 +24,11 @@ Command = Tuple[float, float, float]
 class Waypoints:
     """Velocity commands that lead a walk to one pose after the other.
 
-    Far from a point the walk turns towards it and goes forward along the line from the point before, steering at a
-    carrot ahead on that line; within `near` it goes straight there in any direction and turns to the point's heading.
-    Speed falls with the distance d left as min(speed, sqrt(2 acceleration d), d / settle), turning likewise as
-    angle / settle. At a point without a heading, and not the last, it does not slow down.
+    Far from a point the robot turns towards it and walks forward along the line from the point before; it steers at a
+    place on that line that keeps ahead of it. Within `near` it walks straight to the point in any direction and turns
+    to the point's heading. The speed falls with the distance d that is left, as min(speed, sqrt(2 acceleration d),
+    d / settle), and the turning rate likewise as angle / settle. At a point without a heading that is not the last
+    one, the robot does not slow down.
 
     Lengths and times scale with the robot where they are None: z_c is the height of the COM over the soles at the first
     call, and T_c = sqrt(z_c / g), 0.73 m and 0.27 s for mahru.
@@ -172,7 +173,7 @@ class Waypoints:
         )
 
     def _towards(self, p: np.ndarray, yaw: float) -> np.ndarray:
-        """The command that would be given if velocities could jump."""
+        """The command for a robot whose velocity could jump."""
         goal = np.array(self.points[self._index])
         rest = goal[:2] - p
         d = math.hypot(*rest)

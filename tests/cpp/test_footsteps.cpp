@@ -251,7 +251,7 @@ BOOST_AUTO_TEST_CASE(tied_foothold_goes_where_the_com_will_be_half_a_step_behind
   const double wanted = 0.55 + 0.25 * 0.4 + 0.006 + 0.5 * 0.2 - s.com.lead;
   Foothold to;
   for (int k = 0; k < 2000; ++k) to = follow(feet, kRight, 5.0, 0.006, -0.01, 0.3);
-  BOOST_REQUIRE_LT(std::abs(wanted - 0.7), s.steps.reach);
+  BOOST_REQUIRE_LT(std::abs(wanted - 0.7), s.steps.shift);
   CHECK_NEAR(to.p, Vec2(wanted, -0.12), 1e-9);
 }
 
@@ -262,11 +262,11 @@ BOOST_AUTO_TEST_CASE(tied_foothold_is_low_passed_clamped_and_frozen) {
   const Foothold nominal = feet.begin_step(3, kRight, {Vec2(0.5, 0.11), 0.0}, feet.stance_at(5.0, kPeriod));
   Side swing = kRight;
   const auto update = [&](double share, double aside) { return follow(feet, swing, 5.0, 2.0, aside, share).p; };
-  CHECK_NEAR(update(0.1, 0.0).x() - nominal.p.x(), s.steps.reach * (1 - std::exp(-kDt / s.steps.filter_time)), 1e-12);
+  CHECK_NEAR(update(0.1, 0.0).x() - nominal.p.x(), s.steps.shift * (1 - std::exp(-kDt / s.steps.filter_time)), 1e-12);
   for (int k = 0; k < 2000; ++k) update(0.1, -2.0);
-  CHECK_NEAR(update(0.1, -2.0) - nominal.p, Vec2(s.steps.reach, -s.steps.reach), 1e-9);
+  CHECK_NEAR(update(0.1, -2.0) - nominal.p, Vec2(s.steps.shift, -s.steps.shift), 1e-9);
   for (int k = 0; k < 2000; ++k) update(0.1, 2.0);
-  CHECK_NEAR(update(0.1, 2.0).y(), std::min(-0.11 + s.steps.reach, 0.11 - kSole.width - s.steps.clearance), 1e-9);
+  CHECK_NEAR(update(0.1, 2.0).y(), std::min(-0.11 + s.steps.shift, 0.11 - kSole.width - s.steps.clearance), 1e-9);
   swing = kLeft;
   feet.begin_step(4, kLeft, {Vec2(0.7, -0.11), 0.0}, feet.stance_at(5.8, kPeriod));
   const Vec2 frozen = feet.target().p;
@@ -370,18 +370,10 @@ BOOST_AUTO_TEST_CASE(a_faster_walk_lifts_the_foot_less_where_the_forward_swing_t
 }
 
 BOOST_AUTO_TEST_CASE(choices_have_names_and_unknown_names_are_refused_with_those_that_exist) {
-  for (const std::string name : {"tied", "absolute", "paper", "printed", "list"}) {
-    Footsteps value{};
-    from_string("footsteps", name, value);
-    BOOST_CHECK_EQUAL(to_string(value), name);
-  }
-  TrackerLaw tracker{};
-  from_string("tracker", "bang_bang", tracker);
-  BOOST_CHECK(tracker == TrackerLaw::kBangBang);
-  Footsteps value{};
-  CHECK_THROWS(from_string("footsteps", "tide", value), InputError,
+  for (const std::string name : {"tied", "absolute", "paper", "printed", "list"})
+    BOOST_CHECK_EQUAL(to_string(chosen<Footsteps>("footsteps", name)), name);
+  CHECK_THROWS(chosen<Footsteps>("footsteps", "tide"), InputError,
                "footsteps = 'tide' is unknown; there are: tied, absolute, paper, printed, list");
-  Iteration iteration{};
-  CHECK_THROWS(from_string("iteration", "", iteration), InputError, "there are: closed_form, loop");
+  CHECK_THROWS(chosen<Iteration>("iteration", ""), InputError, "there are: closed_form, loop");
   CHECK_THROWS(WalkSettings("papyrus"), InputError, "law = 'papyrus' is unknown; there are: default, paper");
 }

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include "robots.hpp"
@@ -253,6 +254,11 @@ BOOST_AUTO_TEST_CASE(measured_wrench_is_what_the_contacts_do_to_the_base) {
     mj_forward(m, at.data.get());
     at.read();
     const MeasuredContact contact = measure_contact(at.robot, at.data.get());
+    const Sensed felt = felt_by(contact);
+    for (const Side side : kSides) {
+      BOOST_CHECK_EQUAL(felt.contact[side], 1.0);
+      CHECK_NEAR(felt.wrench[side], contact.wrench.segment<6>(6 * side), 0.0);
+    }
     const Vec3 p = at.dyn().p_WB;
     const Wrench total = total_wrench(contact.wrench, contact.sole, p);
     const mjtNum* constraint = at.data->qfrc_constraint + at.robot.dof_address();
@@ -273,6 +279,33 @@ BOOST_AUTO_TEST_CASE(a_foot_in_the_air_has_no_wrench_and_no_zmp) {
   const MeasuredContact contact = measure_contact(at.robot, at.data.get());
   BOOST_CHECK(contact.wrench.array().isNaN().all());
   BOOST_CHECK(measured_zmp(contact).array().isNaN().all());
+  const Sensed felt = felt_by(contact);
+  for (const Side side : kSides) {
+    BOOST_CHECK_EQUAL(felt.contact[side], 0.0);
+    BOOST_CHECK(felt.wrench[side].array().isNaN().all());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_state_has_sizes_of_the_robot_finite_numbers_and_a_quaternion_with_a_direction) {
+  const State good(31);
+  BOOST_CHECK_NO_THROW(require_state(good, 31));
+  CHECK_THROWS(require_state(good, 30), DimensionError, "state.q");
+  const auto refused = [&](const std::function<void(State&)>& spoil, const std::string& words) {
+    State bad = good;
+    spoil(bad);
+    CHECK_THROWS(require_state(bad, 31), InputError, words);
+  };
+  refused([](State& s) { s.time = INFINITY; }, "not finite");
+  refused([](State& s) { s.q[9] = kNaN; }, "not finite");
+  refused([](State& s) { s.dq[30] = -INFINITY; }, "not finite");
+  refused([](State& s) { s.q.segment<4>(3).setZero(); },
+          "state.q[3:7], has the length 0.000000; it must have the length 1");
+  refused([](State& s) { s.q.segment<4>(3) *= 1e-9; }, "length");
+  State longer = good;
+  longer.q.segment<4>(3) *= 3.0;  // a direction still: MuJoCo makes it a unit quaternion
+  BOOST_CHECK_NO_THROW(require_state(longer, 31));
+  longer.dq.resize(3);
+  CHECK_THROWS(require_state(longer, 31), DimensionError, "state.dq");
 }
 
 BOOST_AUTO_TEST_CASE(compiled_version_is_the_one_that_runs) {

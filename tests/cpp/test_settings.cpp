@@ -127,6 +127,14 @@ BOOST_AUTO_TEST_CASE(settings_that_break_a_rule_are_refused_with_name_value_and_
   refused([](auto& s) { s.steps.capture_speed = INFINITY; }, "capture_speed = inf");
   refused([](auto& s) { s.gait.cadence_exponent = -0.4; }, "cadence_exponent = -0.4");
   refused([](auto& s) { s.arms.momentum = 1.5; }, "arms.momentum (momentum_arms) = 1.500000; it must be in 0..1");
+  refused([](auto& s) { s.control.singular_task = -0.1; }, "control.singular_task = -0.100000; it must be in 0..1");
+}
+
+BOOST_AUTO_TEST_CASE(the_settings_reach_the_solver_of_the_tasks) {
+  WalkSettings s;
+  BOOST_CHECK_EQUAL(s.control.singular_task, WholeBodyOptions().singular_task);
+  s.control.singular_task = 0.02;
+  BOOST_CHECK_EQUAL(WalkingController(mahru(), describe(mahru()), s).whole_body().options().singular_task, 0.02);
 }
 
 BOOST_AUTO_TEST_CASE(a_profile_that_the_legs_cannot_walk_is_refused_with_their_limit) {

@@ -23,6 +23,16 @@ VelocityProfile random_profile(Numbers& numbers, Interpolation kind) {
   return VelocityProfile(t, v, kind);
 }
 
+TrackingSettings tracking(const char* law, double gain = 5.0, double time = 0.05, double catch_up_speed = INFINITY) {
+  TrackingSettings out;
+  out.law = chosen<TrackerLawName>("tracking.law", law);
+  out.gain = gain;
+  out.time = time;
+  out.catch_up_speed = catch_up_speed;
+  out.deadband = 2e-4;
+  return out;
+}
+
 /// By how much changes of `v` from `from` on [t0, t1] go beyond what `limits` let pass at once, `spent` of it gone before.
 double excess(const VelocityProfile& v, Vec3 from, double t0, double t1, const VelocityLimits& limits, Vec3 spent) {
   constexpr double h = 1e-3;
@@ -177,7 +187,7 @@ BOOST_AUTO_TEST_CASE(profile_refuses_gaps_and_wrong_order) {
 }
 
 BOOST_AUTO_TEST_CASE(smooth_tracker_brings_speed_and_integral_to_the_plan) {
-  VelocityTracker tracker(TrackerLaw::kSmooth, 5.0, 0.05, 2e-4);
+  VelocityTracker tracker(tracking("smooth"));
   double v = 0.0;
   for (int k = 0; k < 4000; ++k) {
     v += tracker.acceleration(0.25, v) * 1e-3;
@@ -191,7 +201,7 @@ BOOST_AUTO_TEST_CASE(smooth_tracker_brings_speed_and_integral_to_the_plan) {
 
 BOOST_AUTO_TEST_CASE(smooth_tracker_asks_for_nothing_while_the_integral_is_as_far_ahead_as_it_is_meant_to_be) {
   const double gain = 5.0, time = 0.05, reach = 0.08;
-  VelocityTracker tracker(TrackerLaw::kSmooth, gain, time, 2e-4, reach);
+  VelocityTracker tracker(tracking("smooth", gain, time, reach));
   tracker.advance(0.26, 0.25, 1.0);  // I = 0.01 m
   CHECK_NEAR(tracker.catch_up(0.01), 0.0, 1e-15);
   CHECK_NEAR(tracker.acceleration(0.25, 0.25, 0.01), 0.0, 1e-13);
@@ -208,7 +218,7 @@ BOOST_AUTO_TEST_CASE(smooth_tracker_asks_for_nothing_while_the_integral_is_as_fa
 
 BOOST_AUTO_TEST_CASE(smooth_tracker_brings_the_integral_to_where_it_is_meant_to_be) {
   for (const double ahead : {-0.02, 0.03}) {
-    VelocityTracker tracker(TrackerLaw::kSmooth, 5.0, 0.05, 2e-4, 0.08);
+    VelocityTracker tracker(tracking("smooth", 5.0, 0.05, 0.08));
     double v = 0.25;
     for (int k = 0; k < 5000; ++k) {
       v += tracker.acceleration(0.25, v, ahead) * 1e-3;
@@ -222,7 +232,7 @@ BOOST_AUTO_TEST_CASE(smooth_tracker_brings_the_integral_to_where_it_is_meant_to_
 
 BOOST_AUTO_TEST_CASE(bang_bang_tracker_drives_until_the_integral_is_zero) {
   for (const double sign : {-1.0, 1.0}) {
-    VelocityTracker tracker(TrackerLaw::kBangBang, 5.0, 0.05, 2e-4);
+    VelocityTracker tracker(tracking("bang_bang"));
     const Drive drive = sign < 0 ? Drive::kLower : Drive::kUpper;  // too slow: ZMP back, to accelerate
     tracker.advance(0.25 + sign * 0.1, 0.25, 1e-3);
     BOOST_CHECK(tracker.drive() == Drive::kNone);  // 1e-4 m is within the dead band
@@ -239,5 +249,5 @@ BOOST_AUTO_TEST_CASE(bang_bang_tracker_drives_until_the_integral_is_zero) {
     tracker.reset();
     BOOST_CHECK_EQUAL(tracker.integral(), 0.0);
   }
-  CHECK_THROWS(VelocityTracker(TrackerLaw::kSmooth, 0.0, 0.05, 1e-4), InputError, "tracker_gain = 0");
+  CHECK_THROWS(VelocityTracker(tracking("smooth", 0.0)), InputError, "tracker_gain = 0");
 }

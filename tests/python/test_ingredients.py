@@ -104,8 +104,8 @@ def test_without_posture_task_hanging_arms_swing_into_their_limits():
 
 def test_computed_first_double_support_starts_the_orbit():
     """Without the lateral feedback an error of the start never decays; with it, 0.16 s walks too."""
-    assert_stands(walk(lateral_feedback=False))
-    assert_falls(walk(lateral_feedback=False, T_ds_first=0.16), before=3.0)
+    assert_stands(walk(lateral_law="paper"))
+    assert_falls(walk(lateral_law="paper", T_ds_first=0.16), before=3.0)
     assert_stands(walk(T_ds_first=0.16))
     assert_falls(walk(law="paper", T_ds_first=0.16), before=3.0)
 

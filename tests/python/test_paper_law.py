@@ -31,7 +31,7 @@ def overlap(window, paper):
 def test_setting_is_the_papers(walk):
     settings = walk.meta["settings"]
     assert (settings["tracker"], settings["iteration"], settings["com_state"]) == ("bang_bang", "loop", "desired")
-    assert (settings["feed_forward"], settings["lateral_feedback"]) == (False, False)
+    assert (settings["feed_forward"], settings["lateral_law"]) == (False, "paper")
     assert settings["zmp_threshold"] == PAPER["iteration_threshold"]["value"]
     assert settings["T_ss"] == pytest.approx(PAPER["support_times"]["single"])
     assert settings["T_ds"] == pytest.approx(PAPER["support_times"]["double"])
@@ -127,7 +127,7 @@ def spread(walk):
 
 def test_switch_wanders_and_orbit_feedback_holds_it(walk):
     """What ends the literal law after a minute or three: docs/paper_law.md."""
-    held = zmpwalk.simulate("mahru", duration=30.0, settings=WalkSettings(law="paper", lateral_feedback=True))
+    held = zmpwalk.simulate("mahru", duration=30.0, settings=WalkSettings(law="paper", lateral_law="orbit"))
     assert spread(walk) > 0.03
     assert spread(held) < 0.002
     drift = np.diff(analysis.midstance_offset(held)[5:])
@@ -178,7 +178,7 @@ def test_steps_of_a_quarter_metre_walk_at_the_speed_that_fits_them(law):
     assert fits[-1] == pytest.approx(0.3125)
     profile = VelocityProfile.piecewise([(PERIOD * k, v) for k, v in enumerate(fits)])
     assert controller(profile, law=law, footsteps=printed).plan_mismatch(12.0) == pytest.approx(0.0, abs=1e-12)
-    settings = WalkSettings(law=law, footsteps=printed, lateral_feedback=True)
+    settings = WalkSettings(law=law, footsteps=printed, lateral_law="orbit")
     # Whole periods: the bang-bang tracker brings the integral of the velocity error to zero once in each.
     walk = zmpwalk.simulate("mahru", profile, 15 * PERIOD, settings)
     assert not walk.meta["fell"]

@@ -134,6 +134,43 @@ def test_notation_names_settings_that_exist_and_no_values():
     assert not re.search(r"\d", "".join(rows))
 
 
+def test_the_laws_are_words_and_the_help_says_what_each_does():
+    for path, words in (("zmp.lateral_law", ["orbit", "paper"]), ("tracking.law", ["smooth", "bang_bang"])):
+        row = WalkSettings.find(path)
+        assert row.words[:2] == words
+        assert row.default == words[0]
+        for word in row.words:
+            assert re.search(rf"'{word}', which \w+", row.text), row.text
+    with pytest.raises(
+        InputError, match=r"lateral_law = 'orbt' is unknown; there are: orbit, paper.*; did you mean 'orbit'"
+    ):
+        WalkSettings(lateral_law="orbt")
+
+
+@pytest.mark.parametrize(("was", "law"), [(True, "orbit"), (False, "paper")])
+def test_lateral_feedback_is_still_taken_for_the_law_that_it_stands_for(toml, capsys, was, law):
+    word = str(was).lower()
+    for settings in (
+        WalkSettings(lateral_feedback=was),
+        WalkSettings(zmp={"lateral_feedback": was}),
+        WalkSettings(**{"zmp.lateral_feedback": was}),
+        load_settings(toml(f"lateral_feedback = {word}")),
+        load_settings(toml(f"[zmp]\nlateral_feedback = {word}")),
+    ):
+        assert settings == WalkSettings(lateral_law=law)
+        assert settings.lateral_feedback is was
+    settings = WalkSettings(law="paper")
+    settings.lateral_feedback = was
+    assert settings.zmp.lateral_law == law
+    for name in ("lateral_feedback", "zmp.lateral_feedback"):
+        assert cli.main(["settings", "mahru", "--law", "paper", "--set", f"{name}={word}"]) == 0
+        assert f'lateral_law = "{law}"' in capsys.readouterr().out
+    with pytest.raises(InputError, match="lateral_feedback = 'orbit' is of the wrong type; it must be true or false"):
+        WalkSettings(lateral_feedback="orbit")
+    assert "lateral_feedback" not in settings.to_dict()
+    assert "zmp.lateral_law now" in WalkSettings.find("lateral_feedback").text
+
+
 # --- files
 
 
@@ -200,6 +237,7 @@ def test_what_is_printed_reads_back_and_names_every_setting(toml, mahru, given):
         ('tracker = "psychic"', "tracker = 'psychic' is unknown; there are: smooth"),
         ("law = 3", "law = 3; it must be 'default' or 'paper'"),
         ('law = "modern"', "law = 'modern' is unknown"),
+        ('lateral_law = "papr"', "did you mean 'paper'?"),
         ("step_height = ", "not TOML"),
         ("[soles]\nleft = 1", "no setting 'soles'"),
         ("[tracking]\ngian = 1", "no setting 'tracking.gian'; did you mean tracking.gain (tracker_gain)?"),

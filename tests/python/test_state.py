@@ -90,14 +90,19 @@ def test_what_is_no_state_is_refused_and_changes_nothing(walker):
         controller.update(read(controller, data))
     controller.reset(data)
     good = controller.update(read(controller, data)).tau.copy()
+    no_direction = data.qpos.copy()
+    no_direction[3:7] = 0.0
     for bad, words in (
         (zmpwalk.State(0.001, np.zeros(5), np.zeros(4)), "state.q"),
         (zmpwalk.State(np.nan, data.qpos, data.qvel), "time"),
-        (zmpwalk.State(-0.1, data.qpos, data.qvel), "gone back"),
         (zmpwalk.State(0.001, data.qpos * np.nan, data.qvel), "finite"),
+        (zmpwalk.State(0.001, no_direction, data.qvel), r"quaternion, state\.q\[3:7\], has the length 0\.0+;"),
     ):
-        with pytest.raises(zmpwalk.Error, match=words):
-            controller.update(bad)
+        for takes in (controller.update, controller.reset):
+            with pytest.raises(zmpwalk.Error, match=words):
+                takes(bad)
+    with pytest.raises(zmpwalk.InputError, match="gone back"):
+        controller.update(zmpwalk.State(-0.1, data.qpos, data.qvel))
     np.testing.assert_array_equal(controller.update(read(controller, data)).tau, good)
 
 

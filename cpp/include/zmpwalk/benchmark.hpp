@@ -4,14 +4,19 @@
 
 namespace zmpwalk {
 
-/// Times every part of a walk's cycles side by side: one row per control cycle, each part measured in that cycle.
+/// Times the parts of a control cycle while a robot walks: there is one row per cycle, and every part is measured in that cycle.
 ///
-/// Columns, times in microseconds: `phase` (0 double, 1 single support); `in_loop`, the whole cycle on the terms of mj_step1;
-/// `from_scratch`, the whole cycle on the state alone, by a second controller; `step`, mj_step1 and mj_step2 together;
-/// `terms`, `terms_from_scratch`: reading them (Robot); `algebra`: (1)-(13) and (15), `textbook`: the same as printed, each
-/// `textbook_every` cycles, else NaN; `iteration`: the loop of III-B to 1 mm from 20 mm away; `other`: in_loop less terms and algebra,
-/// which is gait, tracking, checks. `difference` is the largest relative difference of torque, contact wrench and ZMP between `algebra`
-/// and `textbook`, NaN where the latter did not run.
+/// Columns, times in microseconds:
+/// - `phase`: 0 in double, 1 in single support
+/// - `in_loop`: the whole cycle, on the terms that mj_step1 has computed
+/// - `from_scratch`: the whole cycle from the state alone, by a second controller
+/// - `step`: mj_step1 and mj_step2 together
+/// - `terms`, `terms_from_scratch`: reading the terms of the equation of motion, and computing them (`Robot`)
+/// - `algebra`: torque, wrenches and ZMP, (1)-(15), on the direct path
+/// - `textbook`: the same as printed, in one of `textbook_every` cycles, else NaN
+/// - `iteration`: the loop of III-B to 1 mm from 20 mm away
+/// - `other`: in_loop less terms and algebra, which is gait, tracking and checks
+/// - `difference`: the largest relative difference of torque, contact wrench and ZMP between `algebra` and `textbook`; NaN where the latter did not run
 class CycleBenchmark {
  public:
   /// @throws as WalkingController; InputError duration not > 0, or the model's integrator is Runge-Kutta, which has no halves

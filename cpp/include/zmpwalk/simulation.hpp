@@ -16,23 +16,23 @@ struct Column {
   std::vector<double> values;
 };
 
-/// Cycle records as columns: those of `visit_columns`, in its order. Row k is the state before step k and what was decided there.
+/// Keeps what cycles record as columns: those of `visit_columns`, in its order. Row k holds the state before step k and what was decided for it.
 class Recorder {
  public:
-  /// @param controller must outlive the recorder   @param duration to set memory aside for, so that `add` does not allocate [s]
+  /// @param controller must outlive the recorder   @param duration length of the walk for which memory is set aside, so that `add` does not allocate [s]
   explicit Recorder(const WalkingController& controller, double duration = 0.0);
 
   /// Adds one row, if `out` is a new cycle. Call right after mj_step: `data` then holds the contact forces of this cycle.
   void add(const CycleOutput& out, const mjData* data);
 
-  /// Marks the last row as a fall that shows only after the step: a state that is not finite, a foot that is lost.
+  /// Marks the last row as a fall that shows only after the step: the state is not finite, or no foot touches the ground.
   void mark_fall();
 
   const std::vector<Column>& columns() const { return columns_; }
   /// The columns themselves; the recorder is of no more use.
   std::vector<Column> take_columns() { return std::move(columns_); }
   std::size_t rows() const { return rows_; }
-  /// Contact of the last row.
+  /// Contact forces of the last row.
   const MeasuredContact& contact() const { return contact_; }
 
  private:
@@ -51,7 +51,7 @@ struct RunResult {
   std::vector<double> cycle_us;  ///< time of each control cycle [us]
 };
 
-/// The closed loop in C++: controller, physics, recording. Knows nothing of Python.
+/// The closed loop in C++: in each time step the controller gives torques, MuJoCo moves the robot, and the recorder takes a row.
 class Simulation {
  public:
   /// Places the robot at its start pose on z = 0 in an mjData of its own. `controller` must outlive the simulation.

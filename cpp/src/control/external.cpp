@@ -1,6 +1,7 @@
 #include "zmpwalk/control/external.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 #include "zmpwalk/math/error.hpp"
 
@@ -19,8 +20,10 @@ void apply_external(Dynamics& dynamics, const ExternalWrench& external) {
 
 ForcedPendulum forced_pendulum(const Dynamics& dynamics, double ground) {
   const Vec3 &F = dynamics.F_ext, &M = dynamics.M_ext;
-  const double g = dynamics.gravity.norm(), N = dynamics.mass * g - F.z(), h = dynamics.com.z() - ground;
-  return {Vec2(M.y() + h * F.x(), h * F.y() - M.x()) / N, g - F.z() / dynamics.mass};
+  constexpr double kLeastLoad = 0.1;  // of the weight
+  const double m = dynamics.mass, g = dynamics.gravity.norm(), F_z = std::min(F.z(), (1.0 - kLeastLoad) * m * g);
+  const double N = m * g - F_z, h = dynamics.com.z() - ground;
+  return {Vec2(M.y() + h * F.x(), h * F.y() - M.x()) / N, g - F_z / m};
 }
 
 }  // namespace zmpwalk

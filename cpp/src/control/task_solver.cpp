@@ -8,7 +8,7 @@
 namespace zmpwalk {
 namespace {
 
-constexpr int kMostSweeps = 30;        // of the rotations; a handful is enough
+constexpr int kMostSweeps = 30;        // bound on the sweeps of rotations; a handful is enough
 constexpr double kOrthogonal = 1e-30;  // squared cosine of two rows that count as orthogonal
 
 /// Turns the rows of M (m, n) until they are orthogonal, and the right sides e (m, 3) with them: M y = e keeps its solutions.
@@ -22,7 +22,7 @@ void orthogonalise_rows(M&& rows, E&& e) {
         const double a = rows.row(i).squaredNorm(), b = rows.row(j).squaredNorm(), c = rows.row(i).dot(rows.row(j));
         if (c * c <= kOrthogonal * a * b) continue;
         turned = true;
-        // One-sided Jacobi: the angle that makes the two rows orthogonal, the smaller of the two that do.
+        // One-sided Jacobi: two angles make the two rows orthogonal; this is the smaller one.
         const double zeta = (b - a) / (2.0 * c);
         const double tangent = std::copysign(1.0, zeta) / (std::abs(zeta) + std::sqrt(1.0 + zeta * zeta));
         const double cosine = 1.0 / std::sqrt(1.0 + tangent * tangent), sine = cosine * tangent;
@@ -102,7 +102,7 @@ void TaskSolver::correct(const TaskStack& stack, double singular, Affine& ddq) {
     e.col(0) += entry.rows.f_star - entry.rows.drift;
   }
 
-  // The activations, in rising order, cut 0..1 into pieces; on each the tasks above it are a stack of their own.
+  // The activations, in rising order, cut 0..1 into pieces. On each piece the tasks with a larger activation are a stack of their own.
   sum_.setZero();
   for (double below = 0.0;;) {
     double next = std::numeric_limits<double>::infinity();

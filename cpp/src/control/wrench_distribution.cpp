@@ -7,7 +7,8 @@
 namespace zmpwalk {
 namespace {
 
-constexpr double kMostAlone = 0.45;  // of the feet's distance: between them the load goes over without a jump
+constexpr double kMostAlone =
+    0.45;  // largest `alone` as a share of the feet's distance; between the two zones the load goes over without a jump
 
 }  // namespace
 

@@ -100,11 +100,11 @@ void FootstepPlanner::close(Side swing, const Foothold& stance, double xi) {
 
 const Foothold& FootstepPlanner::follow(double ahead_of_plan, double aside, const PathPoint& planned) {
   const Vec2 left = planned.left();
-  const double reach = settings_.steps.reach;
+  const double most = settings_.steps.shift;
   const Vec2 off = planned.p + ahead_of_plan * path_.ahead - nominal_.p;
   Foothold wanted = planned;
-  wanted.p = nominal_.p + std::clamp(off.dot(planned.ahead), -reach, reach) * planned.ahead +
-             (off.dot(left) + std::clamp(aside, -reach, reach)) * left;
+  wanted.p = nominal_.p + std::clamp(off.dot(planned.ahead), -most, most) * planned.ahead +
+             (off.dot(left) + std::clamp(aside, -most, most)) * left;
   target_.p += blend_ * (clear(wanted) - target_.p);
   target_.yaw += blend_ * wrap_angle(wanted.yaw - target_.yaw);
   return target_;

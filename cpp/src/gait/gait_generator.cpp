@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "zmpwalk/gait/point_walk.hpp"
 #include "zmpwalk/math/error.hpp"
@@ -15,6 +16,11 @@ Foothold foothold_of(const Vec3& p, const Mat3& R) { return {p.head<2>(), yaw_of
 
 std::array<Foothold, 2> feet_of(const GaitInput& in) {
   return {foothold_of(in.p_sole[kLeft], in.R_sole[kLeft]), foothold_of(in.p_sole[kRight], in.R_sole[kRight])};
+}
+
+double lab(const char* name, double value) {
+  const char* text = std::getenv(name);
+  return text ? std::atof(text) : value;
 }
 
 Side first_swing(const WalkSettings& settings) { return settings.gait.first_swing; }
@@ -35,7 +41,7 @@ Vec2 reference_zmp(const GaitOutput& gait, const LinearInvertedPendulum& pendulu
 }
 
 GaitGenerator::GaitGenerator(const WalkSettings& settings, const VelocityProfile& profile, const SoleSize& sole,
-                             const std::array<ZmpBounds, 2>& bounds)
+                             const std::array<ZmpBounds, 2>& bounds, const std::array<ZmpBounds, 2>& whole)
     : settings_(settings),
       cadence_{{settings.gait.T_ds, settings.gait.T_ss},
                settings.gait.cadence_speed,
@@ -51,9 +57,11 @@ GaitGenerator::GaitGenerator(const WalkSettings& settings, const VelocityProfile
       plan_(profile_),
       schedule_(settings.gait.T_ds_first, settings.gait.T_ds, settings.gait.T_ss),
       footsteps_(settings, plan_, sole),
-      lateral_(settings.zmp.lateral_feedback, settings.zmp.lateral_shift * 0.5 * sole.width),
+      lateral_(settings.zmp.lateral_law, settings.zmp.lateral_shift * 0.5 * sole.width),
       pendulum_(1.0, 1.0),
-      bounds_(bounds) {
+      bounds_(bounds),
+      whole_(whole),
+      adjustment_({lab("L_WP", 0.04), lab("L_WT", 0.01), lab("L_BAND", 1e-4)}) {
   plan_.reserve();
 }
 
@@ -79,7 +87,7 @@ void GaitGenerator::reset(const GaitInput& start, const LinearInvertedPendulum& 
   out_.yaw = yaw_of(start.R_sole[out_.support]);
   out_.ahead_S = ahead_of(out_.yaw);
   sole_room_ = sole_room(out_.v_plan);
-  out_.room = room(start);
+  out_.room = room(start, bounds_, sole_room_);
 }
 
 void GaitGenerator::command(const Vec3& velocity) {
@@ -225,7 +233,7 @@ const GaitOutput& GaitGenerator::update_steps(const GaitInput& in) {
   out_.yaw = yaw_of(in.R_sole[out_.support]);
   out_.ahead_S = ahead_of(out_.yaw);
   sole_room_ = sole_room(out_.v_plan);
-  out_.room = room(in);
+  out_.room = room(in, bounds_, sole_room_);
   if (out_.at_rest) {
     // The ZMP leads the DCM back to the middle between the feet.
     const Vec2 middle = 0.5 * (in.p_sole[kLeft] + in.p_sole[kRight]).head<2>();
@@ -236,6 +244,8 @@ const GaitOutput& GaitGenerator::update_steps(const GaitInput& in) {
     move_ahead(in);
     move_sideways(in);
     out_.stretch = stretch(in);
+    adjust_time(in);
+    widen_room(in);
   }
   return out_;
 }
@@ -268,10 +278,11 @@ void GaitGenerator::take_orbit(ForwardOrbit& orbit, const ZmpBounds& sole, doubl
   if (!orbit.is_for(pendulum_, v, period, roll)) orbit = {pendulum_, v, period, roll};
 }
 
-ZmpBounds GaitGenerator::room(const GaitInput& in) const {
-  if (!out_.standing[kLeft] || !out_.standing[kRight]) return sole_room_;
+ZmpBounds GaitGenerator::room(const GaitInput& in, const std::array<ZmpBounds, 2>& bounds,
+                              const ZmpBounds& support) const {
+  if (!out_.standing[kLeft] || !out_.standing[kRight]) return support;
   const Side there = other(out_.support);
-  return sole_room_.widened(bounds_[there], (in.p_sole[there].head<2>() - out_.origin).dot(left_of(out_.ahead_S)));
+  return support.widened(bounds[there], (in.p_sole[there].head<2>() - out_.origin).dot(left_of(out_.ahead_S)));
 }
 
 void GaitGenerator::capture(const GaitInput& in, double time) {
@@ -331,10 +342,9 @@ void GaitGenerator::move_sideways(const GaitInput& in) {
   const PendulumState y{(in.com - out_.origin).dot(left_of(out_.ahead)), in.dcom.dot(left_of(out_.ahead))};
   if (before_switch()) {
     const double dt = settings_.control.dt, period = schedule_.times().period();
-    const bool last = out_.phase.time + 1.5 * dt >= out_.phase.duration;
     const double w_orbit = pendulum_.orbit_velocity(plan_.displacement(in.t, in.t + period).y(), period);
     out_.w_T = lateral_.check_switch(pendulum_, y, 0.0, across(in.p_sole[other(out_.support)]),
-                                     out_.phase.to_mid_single, w_orbit, dt, last);
+                                     out_.phase.to_mid_single, w_orbit, dt, out_.phase.duration - out_.phase.time);
     return;
   }
   if (period_ != orbit_period_ || Tc != orbit_Tc_) {
@@ -351,8 +361,12 @@ void GaitGenerator::move_sideways(const GaitInput& in) {
     return y_there + side_sign(out_.support) * pendulum_.orbit_inset(footsteps_.width(drift), orbit_growth_) +
            pendulum_.orbit_offset(drift, orbit_growth_);
   };
+  const auto sway = [&](const Vec2& there) {
+    return Sway{settings_, pendulum_, out_.support, y, xi, xi_end(there), out_.phase.to_mid_double, until};
+  };
   if (single) {
     if (began_ == Began::kSingleSupport) {
+      planned_landing_ = schedule_.touch_down();
       const Side stance = other(out_.swing);
       const Foothold foot = foothold_of(in.p_sole[stance], in.R_sole[stance]);
       footsteps_.begin_step(out_.phase.step, out_.swing, foot, next_);
@@ -361,13 +375,90 @@ void GaitGenerator::move_sideways(const GaitInput& in) {
     }
     if (footsteps_.follows(out_.phase.time / out_.phase.duration)) {
       const PathPoint planned = footsteps_.planned(out_.swing, next_);
-      const double aside = lateral_.miss(pendulum_, xi, xi_end(planned.p), until);
+      const double aside = lateral_.miss(sway(planned.p));
       footsteps_.follow(ahead_of_plan(in), aside, planned);
     }
     out_.foothold = footsteps_.target();
   }
   const Vec2 there = single ? out_.foothold.p : footsteps_.planned(out_.swing, next_).p;
-  out_.zmp_lateral = lateral_.reference(pendulum_, xi, xi_end(there), until);
+  out_.zmp_lateral = lateral_.reference(sway(there));
+  xi_offset_ = xi_end(there) - (there - out_.origin).dot(left_of(out_.ahead));
+  xi_planned_ = xi_end(there) / until.factor;
+}
+
+double GaitGenerator::urgency(const GaitInput& in) const {
+  if (out_.at_rest) return 0.0;
+  const Vec2 left = left_of(out_.ahead), from = in.com - out_.origin;
+  const double Tc = pendulum_.Tc(), x = from.dot(out_.ahead) - out_.orbit_middle;
+  const double ahead = Tc * (in.dcom.dot(out_.ahead) - out_.orbit.velocity(x)) / whole_[out_.support].upper.x();
+  const double aside =
+      before_switch() ? 0.0 : (from.dot(left) + Tc * in.dcom.dot(left) - xi_planned_) / whole_[out_.support].upper.y();
+  const double off = std::max(std::abs(ahead), std::abs(aside));
+  static const double kU0 = lab("L_U0", 0.3), kU1 = lab("L_U1", 0.7);
+  const double s = std::clamp((off - kU0) / (kU1 - kU0), 0.0, 1.0);
+  return s * s * (3.0 - 2.0 * s);
+}
+
+void GaitGenerator::widen_room(const GaitInput& in) {
+  const ZmpBounds most = room(in, whole_, whole_[out_.support]);
+  out_.room.lower.y() = most.lower.y();
+  out_.room.upper.y() = most.upper.y();
+  if (const double share = urgency(in); share > 0.0) {
+    out_.room.lower.x() += share * (most.lower.x() - out_.room.lower.x());
+    out_.room.upper.x() += share * (most.upper.x() - out_.room.upper.x());
+  }
+  const double beside = std::min(std::abs(out_.zmp_lateral) / whole_[out_.support].upper.y(), 1.0);
+  static const double kPower = lab("L_CUTPOW", 2.0);
+  const double keep = 1.0 - settings_.zmp.corner_cut * std::pow(beside, kPower);
+  out_.room.lower.x() *= keep;
+  out_.room.upper.x() *= keep;
+}
+
+void GaitGenerator::adjust_time(const GaitInput& in) {
+  if (!settings_.steps.timing || out_.phase.phase != Phase::kSingleSupport || footsteps_.closing() ||
+      swing_ == Swing::kOverdue || settings_.steps.mode != Footsteps::kTied)
+    return;
+  const StepsSettings& steps = settings_.steps;
+  const double Tc = pendulum_.Tc(), left = schedule_.touch_down() - in.t;
+  static const double kDecided = lab("L_DECIDED", 0.36);  // [T_c]
+  static const double kFilter = lab("L_FILTER", 0.072);  // [T_c]
+  if (left < kDecided * Tc) return;
+  StepLimits limits;
+  limits.planned = planned_landing_ - in.t;
+  limits.current = left;
+  limits.least = std::max(steps.least_time - out_.phase.time, kDecided * Tc);
+  limits.most = std::max(limits.planned + steps.wait_time, limits.least);
+  limits.take_over = 0.5 * schedule_.times().T_ds;
+  limits.foot_speed = steps.foot_speed;
+  const Vec2 ahead = out_.ahead, aside = left_of(out_.ahead);
+  const Vec2 com = in.com - out_.origin, foot = in.p_sole[out_.swing].head<2>() - out_.origin;
+  const ZmpBounds& whole = whole_[out_.support];
+  const double side = side_sign(out_.swing);
+  const double near = 0.14 + steps.clearance;
+  std::array<StepAxis, 2> axes;
+  axes[0].xi = (com + Tc * in.dcom).dot(ahead);
+  axes[0].zmp_lower = whole.lower.x();
+  axes[0].zmp_upper = whole.upper.x();
+  const Vec2 place = out_.foothold.p - out_.origin;
+  axes[0].drift = out_.v_plan.x();
+  axes[0].place = footsteps_.lead(out_.phase.step, next_) + axes[0].drift * (limits.planned - left);
+  axes[0].place_lower = -steps.ahead_most;
+  axes[0].place_upper = steps.ahead_most;
+  axes[0].foot = foot.dot(ahead);
+  axes[0].offset = xi_start_;
+  axes[1].xi = (com + Tc * in.dcom).dot(aside);
+  axes[1].zmp_lower = whole.lower.y();
+  axes[1].zmp_upper = whole.upper.y();
+  axes[1].place = (footsteps_.planned(out_.swing, next_).p - out_.origin).dot(aside);
+  axes[1].place_lower = side > 0.0 ? near : -steps.aside_most;
+  axes[1].place_upper = side > 0.0 ? steps.aside_most : -near;
+  axes[1].foot = foot.dot(aside);
+  axes[1].offset = xi_offset_;
+  (void)place;
+  const double best = adjustment_.time(pendulum_, axes, limits);
+  if (std::abs(best - left) < 1e-3) return;
+  const double blend = 1.0 - std::exp(-settings_.control.dt / (kFilter * Tc));
+  schedule_.retime(in.t, left + blend * (best - left));
 }
 
 }  // namespace zmpwalk

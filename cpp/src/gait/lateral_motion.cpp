@@ -4,7 +4,7 @@
 
 namespace zmpwalk {
 
-LateralMotion::LateralMotion(bool feedback, double most) : feedback_(feedback), most_(most) {}
+LateralMotion::LateralMotion(LateralLawName law, double most) : law_(&LateralLaw::of(law)), most_(most) {}
 
 void LateralMotion::reset(Side support) {
   support_ = support;
@@ -26,31 +26,27 @@ void LateralMotion::take_switch() {
 }
 
 double LateralMotion::check_switch(const LinearInvertedPendulum& pendulum, const PendulumState& now, double r,
-                                   double other_foot, double T, double w_orbit, double dt, bool last) {
+                                   double other_foot, double T, double w_orbit, double dt, double time_left) {
   const auto off_orbit_after = [&](int cycles) {
     PendulumState s = pendulum.step(over_[cycles - 1](pendulum, cycles * dt), now, r);
     s.x -= other_foot;
     return pendulum.velocity_after(T - cycles * dt, s) - w_orbit;
   };
-  // Too early, the COM would turn back before the middle of the step: w(T) then points away from the foot to come. Of the two
-  // cycles on either side of w(T) = 0 the nearer one is taken: always the later one would be half a cycle late on average.
-  const double next = off_orbit_after(1);
-  const bool decided = last || side_sign(other(support_)) * (next + off_orbit_after(2)) >= 0.0;
-  switch_ = decided ? Switch::kDecided : Switch::kDue;
-  return next + w_orbit;
+  const SwayToCome sway{off_orbit_after(1), off_orbit_after(2), side_sign(other(support_)), time_left};
+  const bool last = time_left <= 1.5 * dt;
+  switch_ = last || law_->switches(sway) ? Switch::kDecided : Switch::kDue;
+  return sway.next + w_orbit;
 }
 
-double LateralMotion::reference(const LinearInvertedPendulum& pendulum, double xi, double xi_end,
-                                const LinearInvertedPendulum::Growth& time) const {
-  if (!feedback_ || awaits_switch() || !(time.excess > 0.0)) return 0.0;
-  return std::clamp(pendulum.reference_to_reach(xi, xi_end, time), -most_, most_);
+double LateralMotion::wanted(const Sway& sway) const {
+  return awaits_switch() || !(sway.growth.excess > 0.0) ? 0.0 : law_->reference(sway);
 }
 
-double LateralMotion::miss(const LinearInvertedPendulum& pendulum, double xi, double xi_end,
-                           const LinearInvertedPendulum::Growth& time) const {
-  if (!feedback_ || awaits_switch() || !(time.excess > 0.0)) return 0.0;
-  const double r = pendulum.reference_to_reach(xi, xi_end, time);
-  return (std::clamp(r, -most_, most_) - r) * -time.excess;
+double LateralMotion::reference(const Sway& sway) const { return std::clamp(wanted(sway), -most_, most_); }
+
+double LateralMotion::miss(const Sway& sway) const {
+  const double r = wanted(sway);
+  return (r - std::clamp(r, -most_, most_)) * sway.growth.excess;
 }
 
 }  // namespace zmpwalk

@@ -20,7 +20,7 @@ WalkPlan plan_walk(const WalkSettings& given, const VelocityProfile& profile, co
   plan.zmp.reserve(count);
   plan.support.reserve(count);
   WalkSettings settings = given;
-  settings.zmp.lateral_feedback = true;
+  settings.zmp.lateral_law = chosen<LateralLawName>("zmp.lateral_law", "orbit");
   PointWalk walk(settings, profile, pendulum, bounds, sole, start);
   bool swinging = false;
   for (std::size_t k = 0; k < count; ++k) {

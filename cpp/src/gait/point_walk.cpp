@@ -2,10 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "zmpwalk/math/rotation.hpp"
 
 namespace zmpwalk {
+namespace {
+
+TrackingSettings smooth(TrackingSettings settings) {
+  settings.law = chosen<TrackerLawName>("tracking.law", "smooth");
+  return settings;
+}
+
+}  // namespace
 
 PendulumState roll_out(const LinearInvertedPendulum& pendulum, const VelocityProfile& plan,
                        const VelocityProfile::Moment& now, const VelocityProfile::Moment& then, double time,
@@ -13,13 +22,14 @@ PendulumState roll_out(const LinearInvertedPendulum& pendulum, const VelocityPro
   // The pendulum of (16) in pieces, by the DCM and its mirror image x - T_c v: each leaves, or nears, the ZMP exponentially.
   constexpr int kPieces = 16;
   const double Tc = pendulum.Tc(), dt = time / kPieces, grow = std::exp(dt / Tc);
-  const double share = -std::expm1(-dt / stance.tracker_time) / dt;  // of a speed error, in a piece [1/s]
+  const double share =
+      -std::expm1(-dt / stance.tracker_time) / dt;  // mean rate in a piece at which an error of the speed goes [1/s]
   double xi = state.x + Tc * state.v, mirror = state.x - Tc * state.v;
   const bool smooth = now.segment == then.segment;
   const double v_now = now.v.x(), slope = smooth ? (then.v.x() - v_now) / time : 0.0;
   VelocityProfile::Moment reached = now;
   for (int k = 0; k < kPieces; ++k) {
-    // as it is in the middle of the piece
+    // The ZMP that is asked for in the middle of the piece stays for all of it.
     const double v = (xi - mirror) / (2.0 * Tc), x = 0.5 * (xi + mirror + dt * v),
                  from_middle = x - stance.orbit_middle;
     const double since = (k + 0.5) * dt;
@@ -39,8 +49,9 @@ double start_excursion(const WalkSettings& settings, const VelocityProfile& plan
   const double t_end = settings.gait.T_ds_first + period, t_switch = t_end - 0.5 * settings.gait.T_ds;
   const double foothold =
       scale * (plan.displacement(0.0, t_switch) + 0.5 * plan.displacement(t_switch, t_switch + period)).x();
-  VelocityTracker tracker(TrackerLaw::kSmooth, settings.tracking.gain, settings.tracking.time,
-                          settings.tracking.deadband);
+  TrackingSettings free = settings.tracking;
+  free.catch_up_speed = std::numeric_limits<double>::infinity();
+  VelocityTracker tracker(smooth(free));
   PendulumState s{x_0, 0.0};
   for (double t = 0.0; t < t_end; t += dt) {
     const double v_plan = scale * plan.velocity(t).x(), foot = t < t_switch ? 0.0 : foothold;
@@ -56,8 +67,7 @@ PointWalk::PointWalk(const WalkSettings& settings, const VelocityProfile& profil
                      const SoleSize& sole, const GaitInput& start)
     : pendulum(of_robot),
       dt(settings.control.dt),
-      tracker(TrackerLaw::kSmooth, settings.tracking.gain, settings.tracking.time, settings.tracking.deadband,
-              settings.tracking.catch_up_speed),
+      tracker(smooth(settings.tracking)),
       gait(settings, profile, sole, bounds),
       in(start) {
   gait.reset(in, pendulum);

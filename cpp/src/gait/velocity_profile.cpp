@@ -54,7 +54,7 @@ Vec3 VelocityProfile::displacement(double t0, double t1) const { return integral
 Vec3 VelocityProfile::travel(const Moment& from, const Moment& to) const {
   const Vec3 straight = to.integral - from.integral;
   if (!turns(from, to.t)) return straight;
-  // Pieces of about kPiece turn by little: each moves along the heading in its middle.
+  // A piece of about kPiece turns by so little that it is taken to move straight, along the heading in its middle.
   constexpr double kPiece = 0.1;  // [s]; at 0.5 rad/s a piece's chord is its arc within 1e-4
   const int pieces = static_cast<int>(std::ceil((to.t - from.t) / kPiece));
   Vec3 out(0.0, 0.0, straight.z()), last = from.integral;
@@ -126,7 +126,8 @@ void VelocityProfile::follow(double t, double length, const Vec3& from, const Ve
         rate[i] = std::copysign(a, towards);
         const double closing = lag / (rate[i] - slope[i]);
         if (lag != 0.0 && closing > 0.0) caught[i] = closing;
-        if (slows) stopped[i] = -v[i] / rate[i];  // beyond zero it accelerates
+        if (slows)
+          stopped[i] = -v[i] / rate[i];  // it slows down until the velocity is zero, and then speeds up the other way
       }
       dt = std::min({dt, caught[i], stopped[i]});
     }
@@ -164,7 +165,7 @@ VelocityProfile VelocityProfile::limited(const VelocityLimits& limits) const {
 }
 
 void VelocityProfile::reserve() {
-  constexpr std::size_t kSegments = 16;  // a new target takes at most four
+  constexpr std::size_t kSegments = 16;  // a new target needs at most four segments
   t_.reserve(kSegments);
   v_.reserve(kSegments);
   end_.reserve(kSegments);

@@ -22,14 +22,14 @@ double gear(const mjModel* m, int actuator) { return m->actuator_gear[6 * force_
 double gain(const mjModel* m, int actuator) { return m->actuator_gainprm[mjNGAIN * actuator]; }
 const mjtNum* bias(const mjModel* m, int actuator) { return m->actuator_biasprm + mjNBIAS * actuator; }
 
-/// Its force is gain ctrl + bias, of the same instant.
+/// True where the force of the actuator is gain ctrl + bias, all of the same instant.
 bool is_affine(const mjModel* m, int a) {
   const bool known_bias = m->actuator_biastype[a] == mjBIAS_NONE || m->actuator_biastype[a] == mjBIAS_AFFINE;
   return m->actuator_gaintype[a] == mjGAIN_FIXED && known_bias && m->actuator_dyntype[a] == mjDYN_NONE &&
          mujoco_compat::is_immediate(m, a) && gain(m, a) != 0.0;
 }
 
-/// Its force is gain ctrl: a plain torque motor.
+/// True where the force of the actuator is gain ctrl: it is a plain torque motor.
 bool is_motor(const mjModel* m, int a) {
   const mjtNum* b = bias(m, a);
   const bool no_bias = m->actuator_biastype[a] == mjBIAS_NONE || (b[0] == 0.0 && b[1] == 0.0 && b[2] == 0.0);

@@ -42,6 +42,15 @@ MeasuredContact measure_contact(const Robot& robot, const mjData* d) {
   return out;
 }
 
+Sensed felt_by(const MeasuredContact& contact) {
+  Sensed felt;
+  for (const Side side : kSides) {
+    felt.wrench[side] = contact.wrench.segment<6>(6 * side);
+    felt.contact[side] = std::isnan(felt.wrench[side].z()) ? 0.0 : 1.0;
+  }
+  return felt;
+}
+
 Vec2 measured_zmp(const MeasuredContact& contact, const Plane& plane) {
   const Vec3 origin = plane.offset * plane.normal;
   const Wrench total = total_wrench(contact.wrench, contact.sole, origin);

@@ -31,7 +31,8 @@ int tree_nv(const mjModel* m, int root) {
   return count;
 }
 
-constexpr double kArmShare = 0.2;  // of the robot's mass: what an arm, not the waist, carries at most
+constexpr double kArmShare =
+    0.2;  // largest share of the robot's mass that a joint of an arm carries; a waist carries more
 
 }  // namespace
 
@@ -199,7 +200,7 @@ void Robot::compute() {
   mj_kinematics(m_, own);
   mj_comPos(m_, own);
   mujoco_compat::compute_inertia(m_, own);
-  if (tendon_forces_) {  // mj_passive needs their lengths and speeds
+  if (tendon_forces_) {  // mj_passive needs the lengths and speeds of the tendons
     mj_tendon(m_, own);
     mj_fwdVelocity(m_, own);
   } else {

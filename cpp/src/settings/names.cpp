@@ -23,6 +23,9 @@ int edits(const std::string& a, const std::string& b) {
   return now.back();
 }
 
+/// At most so many edits make a wrong word a near one.
+int enough_for(const std::string& word) { return std::max(1, static_cast<int>(word.size()) / 3); }
+
 std::string joined(const std::vector<std::string>& words, const char* last) {
   std::string text;
   for (std::size_t i = 0; i < words.size(); ++i) text += (i == 0 ? "" : i + 1 == words.size() ? last : ", ") + words[i];
@@ -33,11 +36,20 @@ std::string joined(const std::vector<std::string>& words, const char* last) {
 
 std::string Setting::both_names() const { return std::string(name) == flat ? path() : path() + " (" + flat + ")"; }
 
+std::string no_such_word(const std::string& name, const std::string& word, const std::vector<std::string>& known) {
+  const std::string text = name + " = '" + word + "' is unknown; there are: " + joined(known, ", ");
+  const auto nearest = std::min_element(known.begin(), known.end(), [&](const std::string& a, const std::string& b) {
+    return edits(word, a) < edits(word, b);
+  });
+  if (nearest == known.end() || edits(word, *nearest) > enough_for(word)) return text;
+  return text + "; did you mean '" + *nearest + "'?";
+}
+
 std::string no_such_setting(const std::string& wanted) {
   constexpr std::size_t kMost = 3;
   std::vector<std::pair<int, std::string>> near;
   std::vector<std::string> groups, names;
-  const int enough = std::max(1, static_cast<int>(wanted.size()) / 3);
+  const int enough = enough_for(wanted);
   const WalkSettings any;
   visit_groups(any, [&](const auto& group) {
     groups.emplace_back(group.kGroup);

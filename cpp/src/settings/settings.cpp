@@ -44,10 +44,11 @@ const std::vector<double>& printed_step_lengths() {
 
 WalkSettings::WalkSettings(const std::string& preset) : law(preset) {
   if (preset == "default") return;
-  if (preset != "paper") throw InputError("law = '" + preset + "' is unknown; there are: default, paper");
-  tracking.law = TrackerLaw::kBangBang;
+  if (preset != "paper") throw InputError(no_such_word("law", preset, {"default", "paper"}));
+  tracking.law = chosen<TrackerLawName>("tracking.law", "bang_bang");
   zmp.iteration = Iteration::kLoop;
-  zmp.bound_lateral = zmp.lateral_feedback = false;
+  zmp.lateral_law = chosen<LateralLawName>("zmp.lateral_law", "paper");
+  zmp.bound_lateral = false;
   zmp.sole_exponent = 0.0;
   com.state = ComState::kDesired;
   com.feed_forward = false;
@@ -122,7 +123,7 @@ double arm_momentum(double, const Scale& scale) {
 }
 
 double step_height(double, const Scale& scale) {
-  // Rotor and damping take at most this share of the knee's torque, as long as that leaves a step of the least height.
+  // Rotor and damping of the knee may take this share of its torque; the step height is lowered for that, but not below the least height.
   constexpr double kKneeShare = 0.6, kLeastHeight = 0.01;
   const RobotScale& robot = scale.robot;
   const double per_lift = knee_share(robot, scale.settings, 1.0, 0.0),

@@ -15,9 +15,10 @@ ArmSwing::ArmSwing(const Robot& robot, const WalkSettings& settings)
       swinging_(arms_),
       c_(VecX::Zero(robot.nv())) {
   if (on() && (arms_.empty() || !settings.posture.task))
-    throw InputError("momentum_arms = " + std::to_string(share_) +
-                     " needs the posture task and joints outside the legs that carry less than a fifth of the robot; 0 "
-                     "does without");
+    throw InputError(
+        "momentum_arms = " + std::to_string(share_) +
+        " needs the posture task, and arms: joints outside the legs that carry less than a fifth of the robot; with 0 "
+        "no arm swings");
   for (int j = 0; j < robot.joints(); ++j) range_.push_back(robot.joint_range(j));
 }
 

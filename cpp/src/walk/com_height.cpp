@@ -6,7 +6,8 @@
 namespace zmpwalk {
 
 ComHeight::ComHeight(double z_c, double gravity, const WalkSettings& settings)
-    : gravity_(gravity),
+    : free_gravity_(gravity),
+      gravity_(gravity),
       dt_(settings.control.dt),
       rate_(1.0 / settings.com.crouch_time),
       z_c_(z_c),
@@ -16,7 +17,15 @@ void ComHeight::reset(double z_c, double ground) {
   z_c_ = z_c;
   ground_ = ground;
   crouch_ = dcrouch_ = ddcrouch_ = 0.0;
+  gravity_ = free_gravity_;
   pendulum_ = LinearInvertedPendulum(z_c_, gravity_);
+}
+
+bool ComHeight::weigh(double gravity) {
+  if (gravity == gravity_) return false;
+  gravity_ = gravity;
+  pendulum_ = LinearInvertedPendulum(z_c_ - crouch_, gravity_);
+  return true;
 }
 
 bool ComHeight::update(double t, double stretch, const VelocityProfile& plan, const LegReach& reach, double ahead) {

@@ -62,11 +62,12 @@ Reference ComReference::decide(const Cycle& cycle, const VelocityTracker& tracke
   const auto estimate_of = [&](const Vec2& f) { return cycle.to_S(whole_body.zmp(R_WS * f)); };
 
   // What velocity tracking alone asks for.
-  const bool smooth = tracker.law() == TrackerLaw::kSmooth && modifies_;
+  const bool by_pendulum = !tracker.law().follows_plan && modifies_;
   const Vec2 com = cycle.to_W(cycle.com_S), dcom = R_WS * cycle.dcom_S;
   Vec2 r = cycle.to_S(reference_zmp(gait, *cycle.pendulum, tracker, com, dcom));
   Desired c = under(r, cycle);
-  if (!smooth && !gait.at_rest) {  // the desired velocity is the planned one, which stands: nothing to feed forward
+  if (!by_pendulum &&
+      !gait.at_rest) {  // the desired velocity is the planned one, which stands: nothing to feed forward
     const double r_plan = track_plan(cycle, c);
     r.x() = estimates_ ? 0.0 : r_plan;
   }
@@ -87,7 +88,7 @@ Reference ComReference::decide(const Cycle& cycle, const VelocityTracker& tracke
   };
   out.zmp_slope = per_reference(whole_body.zmp_slope()).diagonal();
   out.zmp_ref = r;
-  if (!smooth && axes.x() == 0.0) out.zmp_ref.x() = zmp.x();  // tracking: no pendulum along x
+  if (!by_pendulum && axes.x() == 0.0) out.zmp_ref.x() = zmp.x();  // tracking: no pendulum along x
   if (axes.any()) {
     // III-B on the axes that are to change; an axis that is left alone keeps its command.
     const Vec2 kept = c.f;

@@ -8,7 +8,7 @@
 namespace zmpwalk {
 namespace {
 
-/// Times are sums of time steps: a period counts as over when all but this share of it has gone by.
+/// Times are sums of time steps and carry rounding: a period counts as over when all but this share of it has gone by.
 constexpr double kEarly = 1e-3;
 
 }  // namespace
@@ -35,7 +35,7 @@ bool ControlClock::due(double time) const { return time >= next_ - kEarly * cont
 void ControlClock::tick(double time) {
   last_ = time;
   ++cycles_;
-  // From the time that was due, so that rounding does not add up; after a gap, from now.
+  // The next period counts from when this one was due, so that rounding does not add up; after a gap it counts from now.
   next_ = time - next_ < control_dt_ ? next_ + control_dt_ : time + control_dt_;
 }
 

@@ -11,6 +11,7 @@ Cycle cycle_of(double t, const Dynamics& dynamics, const GaitOutput& gait, const
   c.pendulum = &pendulum;
   c.R_WS = axes_of(gait.ahead_S);
   c.R_WH = axes_of(gait.ahead);
+  c.shift = shift;
   c.com_S = c.to_S(com + shift);
   c.dcom_S = c.R_WS.transpose() * dcom;
   c.com_meas_S = c.to_S(dynamics.com.head<2>() + shift);

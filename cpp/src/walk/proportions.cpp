@@ -55,7 +55,7 @@ RobotLimits limits_of(const Robot& robot, const WalkSettings& settings) {
   return limits;
 }
 
-ZmpBounds bounds_of(const Robot& robot, Side side, const WalkSettings& settings) {
+ZmpBounds bounds_of(const Robot& robot, Side side, const WalkSettings& settings, double sole_fraction) {
   const Foot& foot = robot.description().feet[side];
   const auto& leg = robot.leg_joints()[side];
   const Vec3 ankle = robot.ankle_in_sole(side);
@@ -64,7 +64,7 @@ ZmpBounds bounds_of(const Robot& robot, Side side, const WalkSettings& settings)
   const int roll = leg[4] == pitch ? leg[5] : leg[4];
   const SoleLimits limits{foot.length, foot.width, ankle.head<2>(), robot.torque_limit()[pitch],
                           robot.torque_limit()[roll]};
-  return zmp_bounds(limits, dyn.mass * dyn.gravity.norm(), settings.zmp.sole_fraction,
+  return zmp_bounds(limits, dyn.mass * dyn.gravity.norm(), sole_fraction,
                     settings.zmp.ankle_torque_fraction);
 }
 

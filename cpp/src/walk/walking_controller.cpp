@@ -32,19 +32,22 @@ WalkingController::WalkingController(const mjModel* model, const RobotDescriptio
       profile_(profile),
       sole_(common_sole(description)),
       settings_(resolve(settings, scale_of(robot_), top_speed(profile))),
-      bounds_{bounds_of(robot_, kLeft, settings_), bounds_of(robot_, kRight, settings_)},
+      bounds_{bounds_of(robot_, kLeft, settings_, settings_.zmp.sole_fraction),
+              bounds_of(robot_, kRight, settings_, settings_.zmp.sole_fraction)},
       height_(height_over_soles(robot_.dynamics()), robot_.dynamics().gravity.norm(), settings_),
-      gait_(settings_, profile_, sole_, bounds_),
+      gait_(settings_, profile_, sole_, bounds_,
+            {bounds_of(robot_, kLeft, settings_, std::max(settings_.zmp.whole_fraction, settings_.zmp.sole_fraction)),
+             bounds_of(robot_, kRight, settings_, std::max(settings_.zmp.whole_fraction, settings_.zmp.sole_fraction))}),
       reach_(robot_, settings_, gait_.cadence()),
-      tracker_(settings_.tracking.law, settings_.tracking.gain, settings_.tracking.time, settings_.tracking.deadband,
-               settings_.tracking.catch_up_speed),
+      tracker_(settings_.tracking),
       reference_(settings_),
       body_(robot_, settings_),
       arms_(robot_, settings_),
       whole_body_(robot_.nv(), robot_.leg_joints(),
                   {settings_.control.textbook, settings_.posture.task, settings_.contact.wrench_distribution,
                    settings_.contact.load_alone * 0.5 * sole_.width, settings_.contact.damping,
-                   settings_.control.singular_damping, settings_.control.singular_pivot, settings_.control.kernel}),
+                   settings_.control.singular_damping, settings_.control.singular_pivot, settings_.control.kernel,
+                   settings_.control.singular_task}),
       limits_(limits_of(robot_, settings_), whole_body_),
       estimator_(robot_.nv()),
       fall_(settings_),
@@ -82,7 +85,7 @@ GaitInput WalkingController::gait_input(double t, const Vec2& com, const Vec2& d
   in.p_sole = {left.p_WF, right.p_WF};
   in.R_sole = {left.R_WF, right.R_WF};
   in.catch_up = tracker_.catch_up(gait_.output().orbit_ahead);
-  // Feet that feel the ground land where the stance foot stands, not where the ground was at the start.
+  // A foot that feels the ground lands at the height of the stance foot, not at that of the ground at the start.
   if (settings_.gait.touch_down == TouchDown::kTime) in.ground = height_.ground();
   return in;
 }
@@ -121,7 +124,8 @@ void WalkingController::remove(const Task& task, double blend) {
 
 int WalkingController::watch(const std::string& name) {
   const int frame = robot_.watch(name);
-  state_.external.reserve(robot_.dynamics().frames.size());  // so that a cycle that is told of a force at each need not
+  state_.external.reserve(
+      robot_.dynamics().frames.size());  // a cycle that is told of a force at each frame then allocates nothing
   return frame;
 }
 
@@ -143,7 +147,7 @@ double WalkingController::plan_mismatch(double duration) const {
 
 void WalkingController::require_startable() const {
   reach_.require_within(profile_);
-  // From a stand, the COM may not run away from the first stance foot before the second stands.
+  // When the robot starts from a stand, the COM must not run away from the first stance foot before the second foot stands.
   const double room = reach_.along_ground(0.0);
   if (start_excursion(1.0) <= room) return;
   if (start_excursion(0.0) > room)
@@ -159,7 +163,7 @@ void WalkingController::require_startable() const {
   throw InputError("the profile starts too fast: from a stand the COM would run " +
                    std::to_string(start_excursion(1.0)) + " m ahead of the first stance foot, the legs reach " +
                    std::to_string(room) + " m; the same profile times " + std::to_string(possible) +
-                   " would do, or a gentler ramp");
+                   " is slow enough, and so is a gentler ramp");
 }
 
 double WalkingController::start_excursion(double scale) const {
@@ -169,10 +173,7 @@ double WalkingController::start_excursion(double scale) const {
 }
 
 void WalkingController::reset(const State& state) {
-  require_size("state.q", state.q.size(), robot_.nv() + 1);
-  require_size("state.dq", state.dq.size(), robot_.nv());
-  if (!state.q.allFinite() || !state.dq.allFinite() || !std::isfinite(state.time))
-    throw InputError("the state holds a time, position or velocity that is not finite");
+  require_state(state, robot_.nv());
   robot_.read(state);
   clock_.reset(state.time);
   start();
@@ -212,10 +213,7 @@ void WalkingController::start() {
 
 const CycleOutput& WalkingController::update(const State& state) {
   clock_.require_started();
-  require_size("state.q", state.q.size(), robot_.nv() + 1);
-  require_size("state.dq", state.dq.size(), robot_.nv());
-  if (!state.q.allFinite() || !state.dq.allFinite())
-    throw InputError("the state holds a position or velocity that is not finite");
+  require_state(state, robot_.nv());
   require_external(state.external);
   clock_.require(state.time);
   out_.fresh = clock_.due(state.time);
@@ -244,7 +242,7 @@ const CycleOutput& WalkingController::update(mjData* data, Terms terms, const Se
     else
       robot_.read(state_);
     static_cast<Sensed&>(state_) = sensed;
-    // What nobody has told is felt from the contacts of the last step, which are gone where mj_step1 has run.
+    // Contacts that the caller does not know are read from the last step. They are gone where mj_step1 has run.
     if (settings_.gait.touch_down == TouchDown::kContact && terms == Terms::kCompute)
       feel(measure_contact(robot_, data));
     cycle(state_);
@@ -256,10 +254,11 @@ const CycleOutput& WalkingController::update(mjData* data, Terms terms, const Se
 }
 
 void WalkingController::feel(const MeasuredContact& contact) {
+  const Sensed felt = felt_by(contact);
   for (const Side side : kSides) {
     if (!std::isnan(state_.contact[side])) continue;
-    state_.wrench[side] = contact.wrench.segment<6>(6 * side);
-    state_.contact[side] = std::isnan(state_.wrench[side].z()) ? 0.0 : 1.0;
+    state_.wrench[side] = felt.wrench[side];
+    state_.contact[side] = felt.contact[side];
   }
 }
 
@@ -270,22 +269,20 @@ void WalkingController::cycle(const State& state) {
   clock_.tick(state.time);
   out_.t = state.time;
 
-  // Where the walk is, and where COM and feet are to go.
+  // Where the walk is now, and where COM and feet are to go.
   const bool measured = settings_.com.state == ComState::kMeasured;
   const Vec2 com = measured ? Vec2(dyn.com.head<2>()) : com_des_,
-             dcom = measured ? Vec2(dyn.dcom.head<2>()) : dcom_des_,
-             shift = forced_pendulum(dyn, height_.ground()).shift;
+             dcom = measured ? Vec2(dyn.dcom.head<2>()) : dcom_des_;
+  const ForcedPendulum forced = forced_pendulum(dyn, height_.ground());
+  if (height_.weigh(forced.gravity)) follow_pendulum();
   if (Vec3 live; mailbox_.take(live) && live != out_.command) gait_.command(out_.command = live);
-  GaitInput in = gait_input(t, com + shift, dcom);
+  GaitInput in = gait_input(t, com + forced.shift, dcom);
   in.contact << state.contact[kLeft], state.contact[kRight];
   const GaitOutput& gait = gait_.update(in);
-  if (height_.update(t, gait.stretch, gait_.plan(), reach_, gait_.cadence().slow.period())) {
-    reference_.set_pendulum(height_.pendulum());
-    gait_.set_pendulum(height_.pendulum());
-  }
-  const Cycle cycle = cycle_of(t, dyn, gait, height_.pendulum(), com, dcom, shift);
+  if (height_.update(t, gait.stretch, gait_.plan(), reach_, gait_.cadence().slow.period())) follow_pendulum();
+  const Cycle cycle = cycle_of(t, dyn, gait, height_.pendulum(), com, dcom, forced.shift);
 
-  // What the whole body is asked for, but for the COM's x and y.
+  // What the whole body is to do, apart from the COM's x and y.
   body_.update(t);
   added_.update({dyn, t, gait.heading, gait.v_plan.z()});
   command_tasks(cycle);
@@ -295,11 +292,16 @@ void WalkingController::cycle(const State& state) {
   if (arms_.on()) arms_.command(dyn, stance_, f_xy_, gait.v_plan.z(), body_.reference(), added_, whole_body_, f_star_);
   whole_body_.prepare(dyn, stance_, f_star_, &added_);
 
-  // III-C, (16), III-B: the COM's x and y, by the ZMP that they lead to. (1)-(8): the torque. (9)-(15): its ZMP.
-  decide_reference(cycle, shift);
+  // III-C, (16) and III-B choose the COM's x and y by the ZMP that they lead to. (1)-(8) give the torque, (9)-(15) its ZMP.
+  decide_reference(cycle);
   whole_body_.solve(f_xy_, result_);
   limit_torque(gait);
   note(cycle);
+}
+
+void WalkingController::follow_pendulum() {
+  reference_.set_pendulum(height_.pendulum());
+  gait_.set_pendulum(height_.pendulum());
 }
 
 void WalkingController::command_tasks(const Cycle& cycle) {
@@ -329,11 +331,11 @@ void WalkingController::command_tasks(const Cycle& cycle) {
   f_star_.swing = foot_task_.acceleration(dyn);
 }
 
-void WalkingController::decide_reference(const Cycle& cycle, const Vec2& shift) {
+void WalkingController::decide_reference(const Cycle& cycle) {
   const GaitOutput& gait = *cycle.gait;
   const Reference r = reference_.decide(cycle, tracker_, whole_body_);
   f_xy_ = cycle.R_WS * r.f;
-  com_des_ = cycle.to_W(r.x_d) - shift;
+  com_des_ = cycle.to_W(r.x_d) - cycle.shift;
   dcom_des_ = cycle.R_WS * r.v_d;
   out_.zmp_des = cycle.to_W(r.zmp_des);
   out_.zmp_est = cycle.to_W(r.zmp_est);
@@ -375,7 +377,7 @@ void WalkingController::cut_torque(const GaitOutput& gait) {
   const VecX& limit = robot_.torque_limit();
   out_.tau = result_.tau.cwiseMax(-limit).cwiseMin(limit);
   out_.saturated = true;
-  // The estimate speaks of the torque that is sent: (9) with the cut torque.
+  // The estimate is that of the torque that is sent, hence (9) of the cut torque.
   const Dynamics& dyn = robot_.dynamics();
   int rows = 0;
   for (const Side side : kSides) {

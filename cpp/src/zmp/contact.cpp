@@ -7,7 +7,7 @@ namespace zmpwalk {
 namespace {
 
 constexpr double kLeastLean =
-    1e-6;  // feet one above the other leave no plane between them; their mean normal stands in
+    1e-6;  // feet one above the other define no common plane; then the mean of their normals is taken
 
 }  // namespace
 

@@ -69,7 +69,7 @@ def _print_version(context: click.Context, parameter: click.Parameter, asked: bo
     help="Show versions and exit.",
 )
 def cli() -> None:
-    """Walk humanoids in MuJoCo by whole-body control and estimated ZMP."""
+    """Walk humanoid robots in MuJoCo: give a velocity, get the torques, and know their ZMP beforehand."""
 
 
 for room in (walk, view, plot, video, inspect, settings, bench):

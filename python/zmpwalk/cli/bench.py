@@ -15,12 +15,18 @@ __all__ = ["command"]
 
 
 @click.command("bench")
-@click.option("--robot", default="mahru", show_default=True, help="A name, a robot.json, or an MJCF file.")
 @click.option(
-    "--duration", type=float, default=120.0, show_default=True, help="Of the walk whose cycles are timed [s]."
+    "--robot", default="mahru", show_default=True, help="A robot's name, a path to a robot.json, or an MJCF file."
 )
-@click.option("--part", "parts", multiple=True, help="Measure only this; may be given several times.  [default: all]")
-@click.option("--json", "file", type=click.Path(path_type=Path), metavar="FILE", help="Write every figure as JSON.")
+@click.option(
+    "--duration", type=float, default=120.0, show_default=True, help="Length of the walk whose cycles are timed [s]."
+)
+@click.option(
+    "--part", "parts", multiple=True, help="Measure only this part; may be given several times.  [default: all]"
+)
+@click.option(
+    "--json", "file", type=click.Path(path_type=Path), metavar="FILE", help="Write every number as JSON into FILE."
+)
 def command(robot: str, duration: float, parts: tuple[str, ...], file: Path | None) -> int:
     """Measure how fast the controller is on this machine."""
     from rich.table import Table

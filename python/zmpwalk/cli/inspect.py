@@ -1,4 +1,4 @@
-"""`zmpwalk inspect`: what is found in a robot's model, and why it cannot walk."""
+"""`zmpwalk inspect` says what it finds in a robot's model, or why that robot cannot walk."""
 
 from __future__ import annotations
 
@@ -19,14 +19,23 @@ __all__ = ["command"]
 @click.command("inspect")
 @click.argument("model")
 @click.option("--json", "as_json", is_flag=True, help="Print what was found as JSON.")
-@click.option("--write", type=click.Path(path_type=Path), metavar="FILE", help="Write it as a robot.json.")
 @click.option(
-    "--figure", type=click.Path(path_type=Path), metavar="FILE", help="Draw robot, soles and COM: .png, .pdf or .svg."
+    "--write",
+    type=click.Path(path_type=Path),
+    metavar="FILE",
+    help="Write the description that was found into FILE, a robot.json.",
+)
+@click.option(
+    "--figure",
+    type=click.Path(path_type=Path),
+    metavar="FILE",
+    help="Draw the robot, its soles and its COM into FILE, a .png, .pdf or .svg.",
 )
 def command(model: str, as_json: bool, write: Path | None, figure: Path | None) -> int:
-    """Show what is found in MODEL: a robot's name, menagerie:NAME, a robot.json, or any .xml with a robot on two legs.
+    """Show what is found in MODEL: base, feet, legs, start pose, joints, and what is unsure.
 
-    Where it cannot walk: why, a line for each reason.
+    MODEL is a robot's name, menagerie:NAME, a robot.json, or any .xml with a robot on two legs. If the robot cannot
+    walk, the command says why, a line for each reason.
     """
     if figure is not None and figure.suffix.lower() not in (".png", ".pdf", ".svg"):
         raise InputError(f"--figure {figure}: give a .png, .pdf or .svg")

@@ -24,19 +24,26 @@ def settings_options(command: Callable) -> Callable:
     @click.option(
         "--law",
         type=click.Choice(["default", "paper"]),
-        help="The control law's preset.  [default: that of the settings file, else default]",
+        help="Preset of the settings: 'paper' is the law that the paper prints.  "
+        "[default: that of the settings file, else default]",
     )
-    @click.option("--settings", "file", type=click.Path(path_type=Path), help="A TOML file of settings.")
+    @click.option(
+        "--settings",
+        "file",
+        type=click.Path(path_type=Path),
+        help="Read settings from this TOML file; `zmpwalk settings ROBOT` prints one.",
+    )
     @click.option(
         "--footsteps",
-        help='tied, absolute, paper, printed, or lengths "0.1,0.15,0.2" [m]; the law\'s own if not given.',
+        help="What decides where feet land: tied (to the COM), absolute, paper, printed, or the lengths of the steps "
+        '"0.1,0.15,0.2" [m].  [default: that of the law]',
     )
     @click.option(
         "--set",
         "changes",
         multiple=True,
         metavar="NAME=VALUE",
-        help="Change one setting of WalkSettings, such as tracking.gain=3; may be repeated.",
+        help="Change one setting, such as tracking.gain=3; may be repeated. `zmpwalk settings ROBOT` lists them.",
     )
     @functools.wraps(command)
     def with_settings(
@@ -56,14 +63,17 @@ robot_option = click.option(
 
 
 def walk_options(command: Callable) -> Callable:
-    """What walks, along which velocities, for how long."""
+    """Options that say which robot walks, with which velocity, and for how long."""
     profile = click.option(
         "--profile",
         default="paper",
         show_default=True,
-        help='Planned velocity: paper, a CSV file (FILE:linear joins its rows), "0.2" or "0:0.1,5:0.2/0/0.3".',
+        help='Velocity to walk with: "0.2" [m/s]; "0:0.1,5:0.2/0/0.3", which is time:vx/vy/wz; a CSV file (FILE:linear '
+        "joins its rows by lines); or paper, the profile of the paper.",
     )
-    duration = click.option("--duration", type=float, default=8.0, show_default=True, help="Simulated time [s].")
+    duration = click.option(
+        "--duration", type=float, default=8.0, show_default=True, help="Simulated time of the walk [s]."
+    )
     return robot_option(profile(duration(settings_options(command))))
 
 

@@ -1,4 +1,4 @@
-"""`zmpwalk plot`: the figures of a walk from its trace alone."""
+"""`zmpwalk plot` draws the figures of a walk from its trace alone."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ __all__ = ["command"]
 
 @click.command("plot")
 @click.argument("trace", type=click.Path(path_type=Path))
-@click.option("--out", type=click.Path(path_type=Path), help="Folder to write into.  [default: beside the trace]")
+@click.option("--out", type=click.Path(path_type=Path), help="Folder for the figures.  [default: that of the trace]")
 @click.option(
     "--figure",
     "figures",
     multiple=True,
     metavar="NAME",
-    help=f"{', '.join(FILES)}; all if not given.",
+    help=f"Draw only this figure; may be given several times: {', '.join(FILES)}.  [default: all]",
 )
 @click.option(
     "--format", "kind", type=click.Choice(["png", "pdf", "svg"]), default="png", show_default=True, help="File format."

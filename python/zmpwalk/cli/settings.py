@@ -1,4 +1,4 @@
-"""`zmpwalk settings`: every setting of a walk as TOML."""
+"""`zmpwalk settings` prints every setting of a walk as TOML."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ __all__ = ["command"]
 @click.argument("robot")
 @settings_options
 def command(robot: str, settings: Any) -> int:
-    """Print every setting of a walk of ROBOT as TOML: value, unit, meaning; defaults behind a #.
+    """Print every setting of a walk of ROBOT as TOML, each with its value, unit and meaning.
 
-    Change the file and give it to `zmpwalk walk --settings FILE`.
+    Defaults stand behind a #. Change the file and give it to `zmpwalk walk --settings FILE`.
     """
     controller = WalkingController(*load_robot(robot), settings, profile=0.0)
     click.echo(settings_toml(controller, settings), nl=False)

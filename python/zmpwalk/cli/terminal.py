@@ -1,4 +1,4 @@
-"""What all commands say and return: exit codes, complaints, progress on stderr, tables on stdout."""
+"""What all commands share: exit codes, complaints and progress on stderr, tables on stdout."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ STOOD, FAULT, BAD_INPUT, FELL, INTERRUPTED = 0, 1, 2, 3, 130
 
 
 def complain(message: str) -> int:
-    """One line on stderr.
+    """Print a complaint as one line on stderr.
 
     Returns:
         The exit code for bad input.
@@ -34,7 +34,7 @@ def complain(message: str) -> int:
 
 
 class Progress:
-    """How far the walk is: a bar on a terminal, otherwise a line now and then; always on stderr."""
+    """Shows on stderr how far the walk is: by a bar on a terminal, otherwise by a line now and then."""
 
     EVERY = 5.0  # lines apart in a file or pipe [s of wall time]
 
@@ -77,7 +77,7 @@ class Progress:
 
 
 class Parts:
-    """Which part is being measured: a bar on a terminal, otherwise a line each; always on stderr."""
+    """Shows on stderr which part is being measured: by a bar on a terminal, otherwise by a line for each part."""
 
     def __init__(self) -> None:
         self._bar: Any = None
@@ -108,7 +108,7 @@ class Parts:
 
 
 def new_console() -> Any:
-    """Where tables go: as wide as the terminal, 100 columns into a file or pipe."""
+    """A console for tables, as wide as the terminal; 100 columns wide into a file or pipe."""
     from rich.console import Console
 
     width = None if sys.stdout.isatty() else 100

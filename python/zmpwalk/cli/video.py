@@ -1,4 +1,4 @@
-"""`zmpwalk video`: a film of a walk."""
+"""`zmpwalk video` makes a film of a walk."""
 
 from __future__ import annotations
 
@@ -21,12 +21,24 @@ __all__ = ["command"]
 @click.command("video")
 @click.argument("trace", type=click.Path(path_type=Path), required=False)
 @walk_options
-@click.option("--out", type=click.Path(path_type=Path), default="walk.mp4", show_default=True, help=".mp4 or .gif.")
-@click.option("--speed", type=float, default=1.0, show_default=True, help="0.5 is slow motion.")
+@click.option(
+    "--out",
+    type=click.Path(path_type=Path),
+    default="walk.mp4",
+    show_default=True,
+    help="File to write, a .mp4 or .gif.",
+)
+@click.option(
+    "--speed",
+    type=float,
+    default=1.0,
+    show_default=True,
+    help="Seconds of the walk in a second of the film; 0.5 is slow motion.",
+)
 @click.option("--fps", type=int, default=25, show_default=True, help="Pictures per second of the film.")
-@click.option("--size", default="640x480", show_default=True, help="Width x height [pixels].")
-@click.option("--azimuth", type=float, help="Direction to look in: 0 along x, 90 along y [deg].")
-@click.option("--shadows", is_flag=True, help="Draw shadows and reflections; takes twice as long.")
+@click.option("--size", default="640x480", show_default=True, help="Width x height of the film [pixels].")
+@click.option("--azimuth", type=float, help="Direction in which the camera looks: 0 is along x, 90 along y [deg].")
+@click.option("--shadows", is_flag=True, help="Draw shadows and reflections, which takes twice as long.")
 def command(
     trace: Path | None,
     robot: str,
@@ -40,7 +52,7 @@ def command(
     azimuth: float | None,
     shadows: bool,
 ) -> int:
-    """Film a walk: that of a TRACE file, or a new one by the options of `zmpwalk walk`."""
+    """Make a film of the walk in a TRACE file, or of a new walk by the options of `zmpwalk walk`."""
     if out.suffix.lower() not in (".mp4", ".gif"):
         raise InputError(f"--out {out}: give a .mp4 or .gif")
     if not out.absolute().parent.is_dir():

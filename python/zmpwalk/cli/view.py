@@ -1,4 +1,4 @@
-"""`zmpwalk view`: a window on a robot that the keyboard walks."""
+"""`zmpwalk view` opens a window on a robot that the keyboard walks."""
 
 from __future__ import annotations
 
@@ -16,11 +16,14 @@ __all__ = ["command"]
 @click.command("view")
 @robot_option
 @settings_options
-@click.option("--speed", type=float, default=1.0, show_default=True, help="Simulated seconds in a second.")
-@click.option("--size", default="1280x800", show_default=True, help="Width x height of the window.")
+@click.option("--speed", type=float, default=1.0, show_default=True, help="Simulated seconds in a second of real time.")
+@click.option("--size", default="1280x800", show_default=True, help="Width x height of the window [pixels].")
 @click.option("--no-shadows", is_flag=True, help="Draw no shadows and reflections: faster without a graphics card.")
 def command(robot: str, settings: Any, speed: float, size: str, no_shadows: bool) -> int:
-    """Open a window on a robot that the keyboard walks: W S A D, arrows, space; R restarts, Esc quits."""
+    """Open a window on a robot that the keyboard walks.
+
+    W S A D and the arrows change the velocity, space stops the robot, R restarts it, Esc quits.
+    """
     width, height = size_of(size)
     view.view(robot, settings, speed, width, height, shadows=not no_shadows)
     return STOOD

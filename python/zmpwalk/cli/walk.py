@@ -1,4 +1,4 @@
-"""`zmpwalk walk`: a walk in MuJoCo, and its trace, summary and figures in a folder."""
+"""`zmpwalk walk` walks a robot in MuJoCo, and writes trace, summary and figures into a folder."""
 
 from __future__ import annotations
 
@@ -22,15 +22,21 @@ from .terminal import FELL, INTERRUPTED, STOOD, Progress, new_console, number
 
 __all__ = ["command"]
 
-MISMATCH = 0.002  # of footsteps and planned velocity worth a warning [m/s]; 0.004 fells the literal law within 30 s
+MISMATCH = 0.002  # feet off the planned velocity by this are worth a warning [m/s]; 0.004 lets the paper's law fall
 
 
 @click.command("walk")
 @walk_options
-@click.option("--motion", type=click.Path(path_type=Path), help="CSV of arm, waist, trunk angles: t,JOINT,...")
-@click.option("--out", type=click.Path(path_type=Path), help="Folder to write into.  [default: out/ROBOT-LAW]")
-@click.option("--json", "as_json", is_flag=True, help="Print the summary as JSON, and nothing else, on stdout.")
-@click.option("--no-figures", is_flag=True, help="Write trace and summary only.")
+@click.option(
+    "--motion",
+    type=click.Path(path_type=Path),
+    help="CSV file with angles of arms, waist and trunk over time, headed t,JOINT,...",
+)
+@click.option(
+    "--out", type=click.Path(path_type=Path), help="Folder for trace, summary and figures.  [default: out/ROBOT-LAW]"
+)
+@click.option("--json", "as_json", is_flag=True, help="Print nothing but the summary, as JSON, on stdout.")
+@click.option("--no-figures", is_flag=True, help="Write only trace and summary, which is faster.")
 def command(
     robot: str,
     profile: str,
@@ -41,7 +47,7 @@ def command(
     as_json: bool,
     no_figures: bool,
 ) -> int:
-    """Walk a robot in MuJoCo, then write trace, summary and figures."""
+    """Walk a robot in MuJoCo, then write trace, summary and figures into a folder."""
     # Everything that can be wrong is found out before anything is written.
     velocity = profile_of(profile)
     duration = check_duration(duration)
@@ -97,7 +103,7 @@ def _write(trace: Trace, folder: Path, no_figures: bool) -> list[Path]:
 
 
 def _remove_stale_figures(out: Path, files: list[Path]) -> None:
-    """Figures of an earlier walk would tell lies beside the trace of this one."""
+    """Removes figures of an earlier walk, which would be wrong beside the trace of this one."""
     new = {file.name for file in files}
     for old in (f"{stem}.png" for stem in FILES.values()):
         if old not in new and (out / old).exists():

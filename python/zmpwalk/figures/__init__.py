@@ -1,4 +1,4 @@
-"""Drawing: a module for each family of figures, over what they share.
+"""Drawing of figures: a module for each family of figures, and modules for what they share.
 
 Every drawing function takes a trace and returns a matplotlib Figure; `zmpwalk.plot` knows them all by name. Nothing
 here touches pyplot, so no window opens and no global state is left behind.

@@ -18,8 +18,8 @@ def switch(trace: Trace, step: int = 0, axes: Any = None) -> Figure:
     """Fig. 5: the lateral velocity that (18) expects in the middle of the next single support, while support may
     still switch.
 
-    Where it reaches zero the ZMP goes from one foot to the other. Positive is towards the foot being left, so that
-    the curves of left and right steps lie on one another.
+    Where it reaches zero the ZMP goes from one foot to the other. It is positive towards the foot that the ZMP leaves,
+    so that the curves of left and right steps lie on one another.
 
     Args:
         trace: a walk.

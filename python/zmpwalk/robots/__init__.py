@@ -1,4 +1,4 @@
-"""Robots: loaded by name or file, described by hand in a `robot.json`, or proposed from what is found in a model.
+"""Robots, loaded by name or file, described by hand in a `robot.json`, or found in a model.
 
 `load` leads to all of them; `description` is what the walk needs to know of a robot, as a value; `proposal` finds that
 in a model that nobody has marked. The files of the robots that come with zmpwalk lie here too.

@@ -7,7 +7,7 @@
 
 namespace zmpwalk {
 
-/// A frame F that is fixed to a body of the robot: where it is, how it moves, and how it moves with ddq.
+/// A frame F that is fixed to a body of the robot: its pose, its velocity, and its acceleration J ddq + drift.
 struct FrameState {
   Vec3 p_WF = Vec3::Zero();      ///< position in W [m]
   Mat3 R_WF = Mat3::Identity();  ///< rotation, axes of F to world
@@ -51,8 +51,8 @@ struct Dynamics {
   std::vector<FrameState> frames;  ///< further frames that tasks and known forces ask for: `Robot::watch`
 
   // Known forces on the robot, which b holds already: see `apply_external`.
-  Vec3 F_ext = Vec3::Zero();  ///< their sum, W [N]
-  Vec3 M_ext = Vec3::Zero();  ///< their moment about the COM, W [N m]
+  Vec3 F_ext = Vec3::Zero();  ///< sum of the known forces, W [N]
+  Vec3 M_ext = Vec3::Zero();  ///< moment of the known forces about the COM, W [N m]
 };
 
 }  // namespace zmpwalk

@@ -4,19 +4,19 @@
 
 namespace zmpwalk {
 
-/// A known force on the robot: of something that it carries, pushes or is pushed by.
+/// A known force on the robot, from something that it carries, pushes or is pushed by.
 struct ExternalWrench {
   int frame = 0;               ///< index in `Dynamics::frames`
   Vec6 wrench = Vec6::Zero();  ///< force and moment on the robot at the frame's origin, world axes [N, N m]
 };
 
-/// Lets `dynamics` know of it: A ddq + b + g + J_c' f_c = S' tau + J' w, so that b becomes b - J' w.
+/// Adds the known force w to `dynamics`: with A ddq + b + g + J_c' f_c = S' tau + J' w, b becomes b - J' w.
 ///
-/// Whatever works on these terms, the torque and both ways to the estimated ZMP, then takes it into account. The motion that the torque leads
-/// to is the one that was asked for. Allocates nothing. @throws InputError  no such frame
+/// Everything that is computed from these terms then takes the force into account: the torque, and both ways to the estimated ZMP. The torque still
+/// leads to the motion that was asked for. Allocates nothing. @throws InputError  there is no such frame
 void apply_external(Dynamics& dynamics, const ExternalWrench& external);
 
-/// The pendulum (16) that a known force makes of the one that is free: its COM appears shifted, its gravity changed.
+/// The pendulum (16) under a known force. It is the free pendulum with a COM that appears shifted, and with another gravity.
 struct ForcedPendulum {
   Vec2 shift = Vec2::Zero();  ///< W [m]
   double gravity = 0.0;       ///< [m/s^2]; T_c^2 = z_c / gravity
@@ -31,6 +31,8 @@ struct ForcedPendulum {
 ///
 /// the lateral one the same with -M_x in place of M_y. That is the free pendulum, x'' = (g / h) (x - r), of the COM x + shift under the gravity
 /// N / m: shift = ((M_y + h F_x) / N, (h F_y - M_x) / N). To stand, the COM has to lean against the force by as much.
+///
+/// A robot that is lifted by its whole weight is no pendulum: N is taken as no less than a tenth of m g.
 ForcedPendulum forced_pendulum(const Dynamics& dynamics, double ground);
 
 }  // namespace zmpwalk

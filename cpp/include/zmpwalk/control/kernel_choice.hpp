@@ -7,11 +7,11 @@
 
 namespace zmpwalk {
 
-/// The builds that this processor runs, the plainest first, the best last. Made at load; never empty.
+/// The builds of the inner loops that this processor runs: the plainest first, the best last. The list is made at load and is never empty.
 const std::vector<const Kernel*>& kernels();
 
 /// The build of that name, or the best for "auto".
-/// @throws InputError  an unknown name, or one that this processor does not run; says which it does.
+/// @throws InputError  the name is unknown, or this processor does not run that build; the message names those that it runs
 const Kernel& kernel(const std::string& name = "auto");
 
 }  // namespace zmpwalk

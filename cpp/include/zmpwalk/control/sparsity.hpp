@@ -4,19 +4,19 @@
 
 namespace zmpwalk {
 
-/// Which entries of a symmetric matrix may differ from zero, in the form in which `Kernel::multiply` reads it.
+/// Says which entries of a symmetric matrix may differ from zero, in the form that `Kernel::multiply` reads.
 ///
-/// Two legs do not accelerate each other but through the base: almost half of a humanoid's inertia is zero for that reason.
+/// Two legs accelerate each other only through the base. For this reason almost half of the entries of a humanoid's inertia are zero.
 class Sparsity {
  public:
   /// Every entry of an (n, n) matrix.
   explicit Sparsity(int n);
-  /// The inertia of a tree: entry (i, j) belongs to coordinates of which one moves the other's body, so that one is before the other on a way
-  /// to the root.
-  /// @param parent  the coordinate before each on the way to the root, -1 where there is none; smaller than its own (n,)
+  /// The inertia of a tree of bodies: entry (i, j) may differ from zero only where one of the two coordinates is on the other's way to the root.
+  /// @param parent  for each coordinate the next one on its way to the root, which is smaller than its own; -1 where there is none (n,)
   static Sparsity of_tree(const std::vector<int>& parent);
 
-  /// For each four rows, then for each row that is left over: the number of spans, and first and past-the-end column of each.
+  /// For each group of four rows, and then for each row that is left over: the number of spans, and for each span its first column and the column
+  /// after its last.
   const int* spans() const { return spans_.data(); }
 
  private:

@@ -13,9 +13,9 @@ auto pd_acceleration(double kp, double kd, const P& position_error, const V& vel
   return kp * position_error + kd * velocity_error;  // Eq. (8)
 }
 
-/// Equations 1 and 3-7 as printed (with the erratum of (7)): the definition, and the oracle of the tests.
+/// Equations 1 and 3-7 as they are printed, (7) corrected. This is their definition, with which tests compare every faster form.
 ///
-/// Dense inverses, allocating; the walking cycle takes `WholeBodyController`'s direct path, which gives the same numbers.
+/// It forms dense inverses and allocates. A walk takes the direct path of `WholeBodyController`, which gives the same numbers.
 struct TaskSpace {
   /// @param contact  contact space of the same instant, already computed
   /// @param b, g     (nv,)   @param J (m, nv) stacked task Jacobian   @param drift (m,) = Jdot dq
@@ -23,13 +23,13 @@ struct TaskSpace {
   TaskSpace(const ContactSpace& contact, const ConstVecRef& b, const ConstVecRef& g, const ConstMatRef& J,
             const ConstVecRef& drift);
 
-  RowMatX Lambda;  ///< (m, m) task inertia under contact
-  RowMatX JbarT;   ///< (m, nv)
-  VecX mu;         ///< (m,)
-  VecX p;          ///< (m,)
-  RowMatX J_k;     ///< (m, joints): modified task Jacobian
-  RowMatX N_k;     ///< (joints, joints): torques through it leave the tasks alone
-  RowMatX V_n;     ///< (joints, rows - 6): torques that change the contact wrenches only (internal forces)
+  RowMatX Lambda;  ///< task inertia under contact (m, m)
+  RowMatX JbarT;   ///< transpose of the dynamically consistent inverse of J (m, nv)
+  VecX mu;         ///< velocity forces in task space (m,)
+  VecX p;          ///< gravity in task space (m,)
+  RowMatX J_k;     ///< modified task Jacobian (m, joints), which turns a task force into joint torques
+  RowMatX N_k;     ///< a joint torque that is multiplied by it leaves the tasks alone (joints, joints)
+  RowMatX V_n;     ///< torques that change nothing but the contact wrenches: internal forces (joints, rows - 6)
 
   /// Eq. 1: task force F (m,) for commanded acceleration f* (m,).
   VecX force(const ConstVecRef& f_star) const;

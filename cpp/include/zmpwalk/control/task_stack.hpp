@@ -9,7 +9,7 @@ namespace zmpwalk {
 
 /// The tasks that a user has added, in the order of their priority, each with an activation that rises and falls smoothly.
 ///
-/// `add` and `remove` belong between cycles and may allocate; `update` belongs to the cycle and allocates nothing.
+/// Call `add` and `remove` between cycles; they may allocate. `update` belongs to the cycle and allocates nothing.
 class TaskStack {
  public:
   TaskStack() = default;
@@ -22,8 +22,8 @@ class TaskStack {
     TaskRows rows;
     double activation = 0.0;  ///< 0: has no effect; the task's weight: acts in full
     double from = 0.0, to = 0.0, since = 0.0, blend = 0.0;
-    bool waits = true;   ///< its blend begins with the next update
-    bool begins = true;  ///< so does the task itself
+    bool waits = true;   ///< the next update begins its blend
+    bool begins = true;  ///< the next update calls `Task::begin`
   };
 
   /// @param task   its names have been looked up (`Task::attach`)
@@ -32,10 +32,10 @@ class TaskStack {
   void add(const std::shared_ptr<Task>& task, int nv, double blend);
   /// The task loses its effect within `blend` [s]. @throws InputError  it is not in the stack; blend is not > 0
   void remove(const Task& task, double blend);
-  /// The clock starts anew: tasks on their way out are gone, the others begin again.
+  /// The walk starts anew: tasks that are fading out are dropped, and the others begin again.
   void reset();
 
-  /// Activations and rows of this instant.
+  /// Computes activations and rows for this instant.
   void update(const TaskInput& in);
 
   /// True where no task has an effect.

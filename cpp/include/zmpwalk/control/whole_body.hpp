@@ -14,7 +14,7 @@
 
 namespace zmpwalk {
 
-/// Commanded accelerations f* of the stacked tasks.
+/// Commanded accelerations f* of the walk's own tasks.
 struct TaskAccelerations {
   Vec3 com = Vec3::Zero();    ///< COM, W [m/s^2]
   Vec3 trunk = Vec3::Zero();  ///< base orientation, world axes [rad/s^2]
@@ -22,7 +22,7 @@ struct TaskAccelerations {
   VecX posture;               ///< (joints,) [rad/s^2]; entries of leg joints are not used
 };
 
-/// Which feet stand, on what, and about which the ZMP is taken.
+/// Which feet stand, on what ground, and which of them carries the ZMP.
 struct Stance {
   std::array<bool, 2> standing{true, true};
   Side support = kLeft;
@@ -32,11 +32,13 @@ struct Stance {
   Side swing() const { return standing[kLeft] ? kRight : kLeft; }  ///< meaningful where one foot stands
 };
 
-/// How the torque is found; the defaults give the product, the others show what an ingredient is for.
+/// How the torque is found. A walk takes these defaults; other values show what an ingredient is for.
 struct WholeBodyOptions {
-  bool textbook = false;     ///< equations 1-13 as printed instead of the direct path
-  bool posture_task = true;  ///< stack waist and arms; without it their motion is left to the minimum-norm torque
-  bool wrench_distribution = true;  ///< share the load in double support; without it the minimum-norm torque decides
+  bool textbook = false;  ///< equations 1-13 as printed instead of the direct path
+  bool posture_task =
+      true;  ///< waist and arms follow the posture; without it the torque of least norm decides their motion
+  bool wrench_distribution =
+      true;  ///< two feet share the load by the place of the ZMP; without it the torque of least norm decides
   double load_alone = 0.0;       ///< distance of the ZMP from a sole centre within which that foot carries all load [m]
   double contact_damping = 0.0;  ///< of a standing foot that does not carry the ZMP [1/s]: without load it would drift
   double damping = 1e-3;         ///< of the least-squares motion where a leg is straight [1 in rows of K]
@@ -90,7 +92,7 @@ struct TaskSlack {
   Eigen::Matrix<double, 12, 4 * kGroups> f_c;  ///< left then right, zero where a foot is in the air
 };
 
-/// Contact-consistent whole-body control of a biped: COM, trunk orientation, swing foot and posture, stacked.
+/// Computes the joint torques of a biped that give COM, trunk, swing foot and posture their commanded accelerations while the standing feet keep still.
 ///
 /// With posture stacked the motion is fully determined (single support 6 + 25 rows, double support 12 + 19, for 31
 /// coordinates), so the torque of (1)-(7) follows without pseudo-inverses: [J_c; J] ddq = [-drift_c; f* - drift] gives ddq,
@@ -98,8 +100,8 @@ struct TaskSlack {
 /// and the joint rows the torque. `TaskSpace` is the definition; both give the same numbers. Given the base's translation, each
 /// leg follows from its own sole's six rows; the three rows of the COM then fix that translation.
 ///
-/// Everything is affine in the horizontal COM acceleration (f*_x, f*_y) while F_z does not depend on it: `prepare` does the work
-/// once, `zmp` and `solve` then cost next to nothing. On a tilted plane the ZMP is the one exception, see `zmp`.
+/// Everything is affine in the horizontal COM acceleration (f*_x, f*_y), and F_z does not depend on it. So `prepare` does the work once per instant, and
+/// `zmp` and `solve` then cost next to nothing for each acceleration. Only the ZMP on a tilted plane is not affine, see `zmp`.
 class WholeBodyController {
  public:
   /// @param nv    velocity coordinates
@@ -107,9 +109,9 @@ class WholeBodyController {
   /// @throws DimensionError; InputError an unknown kernel
   WholeBodyController(int nv, const std::array<std::vector<int>, 2>& legs, const WholeBodyOptions& options = {});
 
-  /// Takes one instant. `f_star.com`'s x and y are not used here. The direct path allocates nothing.
+  /// Takes one instant. x and y of `f_star.com` are not used here. The direct path allocates nothing.
   ///
-  /// @param tasks  what a user adds to the walk, updated for this instant; then the motion takes `TaskSolver` too
+  /// @param tasks  the user's tasks, updated for this instant; the motion then goes through `TaskSolver` too
   /// @throws InputError no foot stands; tasks that `reserve` has not seen, or on another than the direct path; DimensionError
   void prepare(const Dynamics& dynamics, const Stance& stance, const TaskAccelerations& f_star,
                const TaskStack* tasks = nullptr);

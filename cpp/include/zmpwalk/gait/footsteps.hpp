@@ -10,21 +10,21 @@
 
 namespace zmpwalk {
 
-/// Unit vectors of a heading `yaw` [rad].
+/// Unit vector along a heading `yaw` [rad], and the one to its left.
 inline Vec2 ahead_of(double yaw) { return {std::cos(yaw), std::sin(yaw)}; }
 inline Vec2 left_of(double yaw) { return {-std::sin(yaw), std::cos(yaw)}; }
 /// The unit vector to the left of the unit vector `ahead`.
 inline Vec2 left_of(const Vec2& ahead) { return {-ahead.y(), ahead.x()}; }
-/// The axes of a frame whose x axis is the unit vector `ahead`: p_W = axes p (2, 2).
+/// The axes of a level frame whose x axis is the unit vector `ahead`, as a matrix (2, 2): p_W = axes_of(ahead) p.
 inline Mat2 axes_of(const Vec2& ahead) { return (Mat2() << ahead.x(), -ahead.y(), ahead.y(), ahead.x()).finished(); }
 
-/// A place for a foot: sole centre in the horizontal plane and heading (x, y [m], yaw [rad]) in W.
+/// A place for a foot: its sole's centre in the horizontal plane, and its heading (x, y [m], yaw [rad]) in W.
 struct Foothold {
   Vec2 p = Vec2::Zero();
   double yaw = 0.0;
 };
 
-/// The same with the unit vector of its heading, which is computed once.
+/// A place with a heading, such as a point of the path, and the unit vector along that heading, which is computed once.
 struct PathPoint : Foothold {
   PathPoint() = default;
   explicit PathPoint(const Foothold& at) : Foothold(at), ahead(ahead_of(at.yaw)) {}
@@ -49,85 +49,91 @@ struct SoleSize {
   double length = 0.0, width = 0.0;
 };
 
-/// What the plan has around one double support, whose middle it is, and in the period after it.
+/// The plan around one stance: in the middle of the double support in which the foot takes over, and in the step period after it.
 struct PlannedStance {
-  double period = 0.0;               ///< [s]
-  VelocityProfile::Moment mid, end;  ///< of the plan: in the middle of the double support, and a period later
-  PathPoint path;                    ///< middle of the walk at `mid`
+  double period = 0.0;               ///< step period after the double support [s]
+  VelocityProfile::Moment mid, end;  ///< the plan in the middle of the double support, and one period later
+  PathPoint path;                    ///< point of the path at `mid`
 
-  double t_mid() const { return mid.t; }  ///< [s]
-  Vec3 displacement() const {
-    return end.integral - mid.integral;
-  }  ///< in the period, along the heading (3,) [m, m, rad]
+  double t_mid() const { return mid.t; }  ///< time of the middle of the double support [s]
+  /// Displacement of the plan in the period, along the heading (3,) [m, m, rad].
+  Vec3 displacement() const { return end.integral - mid.integral; }
   double drift() const { return displacement().y(); }  ///< lateral displacement of the path [m]
 };
 
-/// Where the swing foot goes: one plan for COM and feet.
+/// Decides where the swing foot lands, from the same plan that moves the COM.
 ///
-/// A path runs from the start with the planned velocity; a foot lands half its stance's travel ahead, half a width beside it, along
-/// the path's heading there. Lengths are leads over the stance foot: a list of the user's or the paper's, or from the profile.
-/// Along the heading, the anchor is the measured stance foot ("paper", "printed", "list"), the plan itself ("absolute"), or the
-/// COM ("tied"): x_T = x + L/2 - com_lead + T_c (v - v_s), for the state x, v that the pendulum, its ZMP inside the bounds, will have in
-/// the middle of the next double support, and the steady walk's v_s there: that walk then begins with its own DCM. Of the last term what is
-/// within `foothold_give` of the bounds is left to the ZMP. Clamped about the nominal foothold and low-passed, until `foothold_freeze` of
-/// the single support. Sideways it is the path, and what the DCM will be off its orbit. Feet never come closer than the soles' corners and
+/// The path begins where the walk begins and follows the planned velocity. In the plan, a foot lands ahead of the path by half the way that the path
+/// goes while the foot stands, half a step width beside it, with the path's heading there. How far each step lands ahead of the stance foot (its
+/// lead) comes from the plan, or from a list: the user's or the paper's.
+///
+/// `Footsteps` says from what that place is measured along the heading:
+/// - from the measured stance foot ("paper", "printed", "list");
+/// - from the plan itself ("absolute");
+/// - from the COM ("tied"): x_T = x + L/2 - com_lead + T_c (v - v_s), with L the planned way in a period. x and v are where the pendulum, its ZMP inside
+///   the bounds, will be in the middle of the next double support, and v_s is the velocity of the forward orbit there. So the orbit over the new foot
+///   begins with just the DCM (COM + T_c times its velocity) that it needs. The part of the last term that a ZMP within `foothold_give` of the
+///   bounds can make up for is left to the ZMP.
+///
+/// A tied foothold is kept near its nominal place and low-passed, and stays where it is after the share `foothold_freeze` of the single support. Sideways a
+/// foot lands beside the path, shifted by what the DCM will be off its orbit. Feet never come closer to each other than the corners of the soles and
 /// `foot_clearance` allow.
 class FootstepPlanner {
  public:
-  /// @param settings resolved   @param plan must outlive the planner   @param sole the larger of both
+  /// @param settings resolved   @param plan planned velocity; it must outlive the planner   @param sole size that both soles are taken to have
   FootstepPlanner(const WalkSettings& settings, const VelocityProfile& plan, const SoleSize& sole);
 
-  /// @param feet  sole centres at the start, left and right; @param heading of the start [rad]
+  /// Begins a walk. @param feet  sole centres at the start, left and right   @param heading of the path there [rad]
   void reset(const std::array<Foothold, 2>& feet, double heading);
-  /// A walk begins again between `feet`, along the heading that the path has.
+  /// A robot that stood walks on from between `feet`, along the heading that the path has.
   void restart(const std::array<Foothold, 2>& feet);
   /// Moves the path on to time `t` [s]; where footholds are tied to the COM, the path goes along with `com` (2,) [m].
   void advance(double t, const Vec2& com);
-  /// The plan has changed from now on.
+  /// Notes that the plan has changed from now on.
   void replan() { now_ = plan_->at(now_.t); }
 
-  const PathPoint& path() const { return path_; }              ///< middle of the walk now
-  double heading() const { return path_.yaw; }                 ///< of the path [rad]
-  const VelocityProfile::Moment& now() const { return now_; }  ///< of the plan
+  const PathPoint& path() const { return path_; }              ///< point of the path now
+  double heading() const { return path_.yaw; }                 ///< heading of the path in W [rad]
+  const VelocityProfile::Moment& now() const { return now_; }  ///< the plan at the present time
 
-  /// What the plan has around a double support with its middle at `t_mid` [s], and in the `period` [s] after it.
+  /// The plan around a double support with its middle at `t_mid` [s], and in the `period` [s] after it.
   PlannedStance stance_at(double t_mid, double period) const;
 
-  /// Lead of step `n` over the stance foot, where the double support after it is that of `next` [m].
+  /// How far step `n` lands ahead of the stance foot, where the double support after it is that of `next` [m].
   double lead(int n, const PlannedStance& next) const;
-  /// Where the plan has foot `swing` when it is the one that stands in the period of `next`.
+  /// Where the plan puts the foot `swing` for the period of `next`, in which it stands.
   PathPoint planned(Side swing, const PlannedStance& next) const;
-  /// Lateral distance of feet in an orbit that drifts by `drift` a step [m]: the narrower step has step_width.
+  /// Lateral distance between the feet, where the path goes sideways by `drift` in each step [m]: the narrower one of two steps has step_width.
   double width(double drift) const { return settings_.steps.width + std::abs(drift); }
 
-  /// Nominal foothold of step n, taken when the foot lifts. @param stance measured stance foot
+  /// Chooses the nominal foothold of step n, when the foot lifts. @param stance measured place of the stance foot
   Foothold begin_step(int n, Side swing, const Foothold& stance, const PlannedStance& next);
-  /// The last step before a stand: beside the stance foot, where that is near enough to the path and to where the DCM will be, `xi`
-  /// ahead of the stance foot [m].
+  /// Makes this step the closing step, which sets the foot beside the stance foot so that the robot can stand. It does so only where that place is
+  /// near enough to the path and to where the DCM will be, `xi` ahead of the stance foot [m].
   void close(Side swing, const Foothold& stance, double xi);
-  bool closing() const { return closing_; }  ///< this step is the last before a stand
-  /// The foot has landed.
+  bool closing() const { return closing_; }  ///< true where this step is the closing step
+  /// Notes that the foot has landed.
   void end_step() { closing_ = false; }
 
-  /// Whether the foothold still follows the COM: tied to it, after this share of the single support.
+  /// True where the foothold still follows the COM after this share of the single support: it is tied, not frozen yet, and no closing step.
   bool follows(double share) const {
     return !closing_ && settings_.steps.mode == Footsteps::kTied && share <= settings_.steps.freeze;
   }
-  /// Foothold for this cycle, where it `follows` the COM.
+  /// Moves a foothold that `follows` the COM, and returns it.
   ///
-  /// @param ahead_of_plan, aside  what the DCM will miss, along the heading and along the left [m]
-  /// @param planned  where the plan has this foot
+  /// @param ahead_of_plan, aside  how far from its planned place the foot has to land to catch the DCM: ahead, and to the left [m]
+  /// @param planned  where the plan puts this foot
   const Foothold& follow(double ahead_of_plan, double aside, const PathPoint& planned);
 
   const Foothold& target() const { return target_; }
-  /// How far the foot is from below its hip that is farther, as a double support, with its middle as in `at` and `T_ds` long, begins
-  /// (foot `side`, which lands) or ends (the one that lifts) [m].
-  /// @param landed, lifting sole centres, W   @param sway speed of the COM from foot to foot there [m/s]
+  /// Distance along the ground of an ankle from the point below its hip: the larger one of the foot `side` as it lands and of the other foot as it
+  /// lifts [m]. The double support in between is `T_ds` [s] long and has its middle as in `at`.
+  /// @param landed, lifting sole centres of both feet, W   @param sway sideways speed of the COM there [m/s]
   double stretch(const Vec2& landed, Side side, const Vec2& lifting, const PlannedStance& at, double T_ds,
                  double sway) const;
 
-  /// Largest difference between the speed of the feet and the planned one in the steps of `duration` [s] -> [m/s]; 0 where the profile
-  /// sets the steps.
+  /// Largest difference between the speed of the feet and the planned one in the steps of `duration` [s] -> [m/s]; 0 where the plan sets the
+  /// lengths of the steps.
   double mismatch(double duration, const Cadence& cadence) const;
 
  private:
@@ -137,10 +143,10 @@ class FootstepPlanner {
   WalkSettings settings_;
   const VelocityProfile* plan_;
   SoleSize sole_;
-  double blend_;  // of the target's low-pass, a cycle
+  double blend_;  // share of its distance that the low-pass moves a foothold in one cycle
   VelocityProfile::Moment now_;
-  PathPoint path_;                   // middle of the walk now
-  std::array<Foothold, 2> planned_;  // where the plan has the feet, for "absolute"
+  PathPoint path_;                   // point of the path now
+  std::array<Foothold, 2> planned_;  // where the plan puts the feet, for "absolute"
   Foothold nominal_, target_;
   PathPoint stance_;
   Side swing_ = kLeft;

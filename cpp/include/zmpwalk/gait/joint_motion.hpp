@@ -8,25 +8,26 @@
 
 namespace zmpwalk {
 
-/// Scripted references over time: a cubic spline with continuous acceleration through knots, at rest at both ends; the last value holds.
+/// A motion of named joints that is known beforehand: a cubic spline through knots, with continuous acceleration. It starts and ends at rest, and keeps
+/// its last value.
 ///
-/// Names are the model's joints [rad or m] and `trunk_roll`, `trunk_pitch`, `trunk_yaw` [rad]: the trunk's turn from where it
-/// stands, R_z(yaw) R_y(pitch) R_x(roll) in the heading frame.
+/// A name is a joint of the model [rad or m], or one of `trunk_roll`, `trunk_pitch`, `trunk_yaw` [rad]. These turn the trunk from its orientation
+/// at the start by R_z(yaw) R_y(pitch) R_x(roll) in the heading frame H.
 class JointMotion {
  public:
-  /// Names nothing: everything at its stand.
+  /// An empty motion: everything stays in the start pose.
   JointMotion() = default;
   /// @param t      knot times (n,) [s], from 0, strictly increasing
   /// @param names  one per column (m,), each once
   /// @param q      positions at the knots (n, m)
-  /// @throws InputError no knots, NaN or infinity, a first time that is not 0, a time that does not increase, a name given twice
+  /// @throws InputError  there are no knots, a number is not finite, the first time is not 0, a time does not increase, or a name is given twice
   /// @throws DimensionError  q is not (n, m)
   JointMotion(const VecX& t, std::vector<std::string> names, const RowMatX& q);
 
   /// Position, velocity and acceleration of a column at time t [s]. Allocates nothing.
   Motion1 at(double t, int column) const;
 
-  /// Where a column is smallest and largest, between the knots too.
+  /// Smallest and largest value of a column, between the knots too, and the times at which it has them.
   struct Extent {
     double t_low = 0.0, low = 0.0, t_high = 0.0, high = 0.0;
   };
@@ -46,20 +47,20 @@ class JointMotion {
   std::vector<Cubic> pieces_;  // (n - 1, m)
 };
 
-/// What a set of coordinates is to follow: a motion, reached smoothly from whatever the reference was before.
+/// The reference of a set of coordinates: it follows a motion, and goes over into a new one smoothly.
 ///
-/// reference = motion (or rest) + the quintic that leads from the difference at the start to nothing within the blend time: position, velocity
-/// and acceleration are continuous.
+/// The reference is the motion, or the rest where no motion names a coordinate, plus a quintic that leads from the difference at the start to zero
+/// within the blend time. So position, velocity and acceleration are continuous.
 class MotionReference {
  public:
-  /// @param rest  where coordinates lie that no motion names (n,)
+  /// @param rest  positions of the coordinates while no motion names them (n,)
   explicit MotionReference(const VecX& rest);
 
   /// Follows `motion` from the time of the last `update` on.
   ///
   /// @param entry  coordinate of each column of the motion (m,)   @param blend [s], > 0
   void start(JointMotion motion, std::vector<int> entry, double blend);
-  /// At rest, at time 0: the motion begins anew.
+  /// The time is 0 again, every coordinate is at rest, and the motion begins anew.
   void reset();
   /// The reference at time t [s], t >= that of the last update. Allocates nothing.
   void update(double t);

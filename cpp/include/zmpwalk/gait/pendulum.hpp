@@ -2,23 +2,26 @@
 
 namespace zmpwalk {
 
-/// Position and velocity of the pendulum's mass along one axis, about the support [m, m/s].
+/// Position and velocity of the pendulum's mass along one axis, from a point of the ground that the caller chooses [m, m/s].
 struct PendulumState {
   double x = 0.0;
   double v = 0.0;
 };
 
-/// Linear inverted pendulum: x'' = (x - r) / T_c^2 with T_c = sqrt(z_c / g).
+/// The linear inverted pendulum, which stands for the robot: a point mass at the constant height z_c over a ZMP at r.
+///
+/// x'' = (x - r) / T_c^2 with T_c = sqrt(z_c / g). Its divergent component of motion (DCM), xi = x + T_c v, tells where it tends: put the ZMP there, and the
+/// mass comes to rest over it.
 class LinearInvertedPendulum {
  public:
   /// @param z_c height of the COM above the support [m]   @param gravity g [m/s^2]
   /// @throws InputError either is not finite and > 0
   LinearInvertedPendulum(double z_c, double gravity);
 
-  double Tc() const { return Tc_; }           ///< [s]
+  double Tc() const { return Tc_; }           ///< time constant T_c [s]
   double omega() const { return 1.0 / Tc_; }  ///< [rad/s]
 
-  /// The two functions of a time in (16) to (18), for whoever asks for the same time again.
+  /// The two functions of a time in (16) to (18). They are kept apart so that a caller with the same time computes them once.
   struct Over {
     double ch = 1.0, sh = 0.0;  ///< cosh(dt / T_c), sinh(dt / T_c)
   };
@@ -36,11 +39,11 @@ class LinearInvertedPendulum {
   double acceleration(double x, double r) const { return (x - r) / (Tc_ * Tc_); }
   /// The reference ZMP that gives acceleration `a`: r = x - T_c^2 a [m].
   double reference_for(double x, double a) const { return x - Tc_ * Tc_ * a; }
-  /// Divergent component of motion x + T_c v [m]; under a constant r it leaves r as exp(t / T_c).
+  /// The DCM, x + T_c v [m]. Under a constant r its distance from r grows as exp(t / T_c).
   double dcm(const PendulumState& s) const { return s.x + Tc_ * s.v; }
-  /// By what the distance of the DCM from the ZMP grows in a time, for whoever asks for the same time again.
+  /// The factor by which the distance of the DCM from a constant ZMP grows in a time. A caller with the same time computes it once.
   struct Growth {
-    double factor = 1.0, excess = 0.0;  ///< exp(time / T_c), and that less 1
+    double factor = 1.0, excess = 0.0;  ///< exp(time / T_c), and exp(time / T_c) - 1
   };
   Growth growth(double time) const;  ///< time [s]
   /// The constant reference ZMP that brings the DCM from `xi` to `xi_end` in `time` [s] > 0.
@@ -51,17 +54,19 @@ class LinearInvertedPendulum {
     return (xi_end - xi * time.factor) / (1.0 - time.factor);
   }
 
-  // The lateral orbit over feet that alternate, `width` apart, while their middle moves on by `drift` each step of `period` [s].
-  /// Half way between the feet its DCM lies `orbit_inset` inside the foot to come: width / (1 + exp(period / T_c)) [m],
+  // The lateral orbit is the sway that repeats while the support changes between two feet `width` apart [m], once in each `period` [s], and
+  // the middle between the feet moves sideways by `drift` in each period [m].
+  /// Where the DCM of the lateral orbit is when the COM is half way between the feet: this far inside the foot that takes over next,
+  /// width / (1 + exp(period / T_c)) [m]. `orbit_offset` is added where the orbit drifts.
   double orbit_inset(double width, double period) const { return orbit_inset(width, growth(period)); }
   double orbit_inset(double width, const Growth& period) const { return width / (1.0 + period.factor); }
-  /// and `orbit_offset` further along the drift: drift / (exp(period / T_c) - 1) [m].
+  /// How much further along the drift that DCM is than without a drift: drift / (exp(period / T_c) - 1) [m].
   double orbit_offset(double drift, double period) const { return orbit_offset(drift, growth(period)); }
   double orbit_offset(double drift, const Growth& period) const { return drift / period.excess; }
-  /// Its velocity in the middle of a single support, drift / (2 T_c sinh(period / 2 T_c)) [m/s]: zero where nothing drifts.
+  /// Lateral velocity of the orbit in the middle of a single support, drift / (2 T_c sinh(period / 2 T_c)) [m/s]; zero without a drift.
   double orbit_velocity(double drift, double period) const;
 
-  /// Length of the first double support from which the symmetric orbit starts at rest half way between the feet [s].
+  /// Length of the first double support with which a COM at rest half way between the feet gets onto the lateral orbit [s].
   ///
   /// The ZMP stays for t_1 on the foot that swings first, then moves to the other; T_r later the lateral velocity is zero,
   /// and that must be the middle of the first single support: T_ds = t_1 + T_r - T_ss / 2.
@@ -72,7 +77,7 @@ class LinearInvertedPendulum {
   double Tc_;
 };
 
-/// `over(dt)`, computed only when the pendulum or the time is another than at the last call.
+/// Gives `over(dt)`, and computes it only if the pendulum or the time has changed since the last call.
 class LastOver {
  public:
   const LinearInvertedPendulum::Over& operator()(const LinearInvertedPendulum& pendulum, double dt) {

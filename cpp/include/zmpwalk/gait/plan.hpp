@@ -7,7 +7,7 @@
 
 namespace zmpwalk {
 
-/// A walk ahead of time: what gait and pendulum do for a robot that does as it is told. W, SI.
+/// A walk that is computed ahead of time: what gait and pendulum do for a robot that follows them exactly. W, SI units.
 struct WalkPlan {
   struct Step {
     Side foot = kLeft;
@@ -15,17 +15,17 @@ struct WalkPlan {
     Foothold place;                           ///< where it lands
   };
   std::vector<double> t;             ///< since the walk begins [s]
-  std::vector<Vec2> com, dcom, zmp;  ///< at each t; the ZMP stands until the next t
-  std::vector<int> support;          ///< +1 left, -1 right
-  std::vector<Step> steps;           ///< those that land within the plan
+  std::vector<Vec2> com, dcom, zmp;  ///< at each t [m, m/s, m]; the ZMP stays there until the next t
+  std::vector<int> support;          ///< foot that carries the ZMP: +1 left, -1 right
+  std::vector<Step> steps;           ///< steps that land within the plan
 };
 
-/// Rolls gait, velocity tracker and pendulum (16), (17) forward over `duration` [s] in steps of settings.control.dt.
+/// Computes a plan: it runs gait, velocity tracker and pendulum (16), (17) over `duration` [s] in steps of settings.control.dt.
 ///
-/// The ZMP along x is what the smooth tracker asks of the pendulum, along y what the lateral motion with feedback asks, both
-/// inside the bounds, whatever the law: the literal one has nothing that keeps COM and feet together without the robot.
-/// @param settings resolved   @param bounds of each sole, in its axes   @param start two standing feet
-/// @throws InputError  duration not finite and > 0
+/// Along the heading the smooth tracker chooses the ZMP, and sideways the lateral motion with feedback, both inside the bounds. This is so whatever
+/// law the settings name, for without a robot nothing in the paper's law keeps COM and feet together.
+/// @param settings resolved   @param bounds of the ZMP in each sole, in its axes   @param start two standing feet
+/// @throws InputError  the duration is not finite and > 0
 WalkPlan plan_walk(const WalkSettings& settings, const VelocityProfile& profile, const LinearInvertedPendulum& pendulum,
                    const std::array<ZmpBounds, 2>& bounds, const SoleSize& sole, const GaitInput& start,
                    double duration);

@@ -16,42 +16,58 @@ struct SwingTarget {
   Vec3 alpha = Vec3::Zero();  ///< [rad/s^2]
 };
 
+/// The time that a motion keeps while it is hurried or held back: its own time runs at rate 1 until a new end is set, then, within a
+/// blend, at the rate that reaches its end then. Rate and acceleration of the own time never jump.
+class OwnTime {
+ public:
+  /// @param end  own time at which the motion ends [s]
+  explicit OwnTime(double end = 0.0) : end_(end), landing_(end) {}
+  /// Own time at `t` [s], its rate [1] and the rate's change [1/s].
+  Motion1 at(double t) const;
+  /// From `t` on [s] the own time is to come to its end `left` [s] > 0 later.
+  void retime(double t, double left);
+  double landing() const { return landing_; }  ///< when it comes to its end [s]
+
+ private:
+  double end_, landing_;
+  Motion1 from_{0.0, 1.0, 0.0};                     // at `start_`
+  double start_ = 0.0, blend_ = 0.0, rate_ = 1.0;  // after the blend
+};
+
 /// Trajectory of the swing foot: cubic splines (section IV), up and down in z, and to a foothold that may move until late in x, y, yaw.
 ///
-/// When the time left or the height of the ground changes in flight, the foot takes the cubic splines from where it is to where it now lands;
-/// the acceleration that it has beside theirs fades out on the way (a quintic), so that position, velocity and acceleration go on
-/// without a jump.
+/// When the time left changes in flight, the foot goes on along its splines faster or slower (`OwnTime`), so that position, velocity and
+/// acceleration go on without a jump. A foot that meets no ground goes on down; the acceleration that it still had fades out (a quintic).
 class SwingFoot {
  public:
   /// @param p, R      sole at lift-off   @param duration of the single support [s]
   /// @param z_land    height at which the sole lands [m]   @param height  of the top over the higher of both ends [m]
-  /// @param speed     at which it comes down there [m/s]
+  /// @param speed     at which it comes down there [m/s]; in proportion faster where the step is cut short
   void begin(const Vec3& p, const Mat3& R, double duration, double z_land, double height, double speed = 0.0);
-  /// From the next `update` on, at `t` [s] since lift-off, the foot is to land `left` [s] > 0 later. A foot that still rises passes its
-  /// top after the same share of the time left as before; one that comes down goes on down.
-  void replan(double t, double left);
+  /// From the next `update` on, at `t` [s] since lift-off, the foot is to land `left` [s] > 0 later.
+  void replan(double t, double left) { time_.retime(t, left); }
   /// The foot met no ground: from the next `update` on, at `t` [s], it goes on down for `time` [s], ever slower.
   void sink(double t, double time);
 
+  /// Goes on by one cycle. In x, y and yaw the spline leads from where the foot is to the foothold in the time that is left, and arrives at rest.
   /// @param t since lift-off [s]   @param dt control period [s]
-  /// The horizontal spline runs from where it is to the foothold in what is left of the time, and arrives at rest.
   const SwingTarget& update(double t, double dt, const Foothold& foothold);
 
   const SwingTarget& target() const { return target_; }
-  double duration() const { return duration_; }  ///< from lift-off to landing [s]
+  double duration() const { return sinks_ ? sunk_ : time_.landing(); }  ///< from lift-off to landing [s]
 
  private:
-  Motion1 height(double t) const;  // of the splines alone
+  Motion1 height(double t, const Motion1& own) const;
 
-  double duration_ = 0.0, z_land_ = 0.0, top_ = 0.0, speed_ = 0.0;
-  // Up from `start_` on for `rise_` [s], then down.
-  double start_ = 0.0, rise_ = 0.0;
+  OwnTime time_;
+  double duration_ = 0.0, z_land_ = 0.0, speed_ = 0.0;  // in own time
+  double rise_ = 0.0;                                   // up for so long, then down
   Cubic up_, down_;
-  std::array<Motion1, 3> next_;  // of the splines in x, y, yaw, in the cycle to come
-  Vec3 to_ = Vec3::Zero();       // where these were last to arrive
-  // What x, y, yaw, z have beside the splines: the accelerations at `start_`, which fade out in `fade_` [s]; 0: nothing.
-  std::array<double, 4> beside_{};
-  double fade_ = 0.0;
+  std::array<Motion1, 3> next_;  // of the splines in x, y, yaw, in the cycle to come, by own time
+  // A foot that met no ground: from `since_` on down, with the acceleration `beside_` that fades out until `sunk_`.
+  bool sinks_ = false;
+  double since_ = 0.0, sunk_ = 0.0, beside_ = 0.0;
+  Cubic sinking_;
   double yaw_ = 0.0;  // of the target
   SwingTarget target_;
 };

@@ -1,46 +1,38 @@
 #pragma once
 
-#include "zmpwalk/math/types.hpp"
+#include "zmpwalk/gait/tracker_law.hpp"
 #include "zmpwalk/settings/settings.hpp"
 
 namespace zmpwalk {
 
-/// What the tracker asks of the ZMP this cycle.
-enum class Drive : int {
-  kLower = -1,  ///< ZMP to its lower bound: accelerate until the integral is zero
-  kNone = 0,    ///< track; keep the ZMP inside its bounds
-  kUpper = 1,   ///< ZMP to its upper bound: decelerate until the integral is zero
-};
-
-/// Planned-velocity tracking along one axis, III-C.
+/// Lets the velocity of the COM follow the planned one, along one axis (III-C).
 ///
-/// Integrates I = integral of (v_des - v_plan). The bang-bang law is the paper's: while I is not zero the desired ZMP sits on a bound.
-/// The smooth law asks for v_want = v_plan - k I and removes the speed error in `time`: a = (v_want - v) / time; it needs no modes.
-/// k I stays within `catch_up_speed`: a robot whose feet could not follow catches up slowly.
+/// It integrates I = integral of (v_des - v_plan), which is the way that the COM is ahead of its plan. A `TrackerLaw` decides what follows from I. The law
+/// "bang_bang" is the paper's: while I is not zero, the desired ZMP is on a bound. The law "smooth" wants the velocity v_want = v_plan - k I, and
+/// removes the error of the velocity in `time`: a = (v_want - v) / time. |k I| stays within `catch_up_speed`, because feet cannot make up a long way at
+/// once.
 class VelocityTracker {
  public:
-  /// @param gain k [1/s]  @param time [s]  @param deadband |I| that counts as zero before a drive starts [m]. @throws InputError not finite and > 0
-  /// @param catch_up_speed largest |k I| [m/s]
-  VelocityTracker(TrackerLaw law, double gain, double time, double deadband,
-                  double catch_up_speed = std::numeric_limits<double>::infinity());
+  /// @param settings resolved. @throws InputError gain, time or deadband is not finite and > 0
+  explicit VelocityTracker(const TrackingSettings& settings);
 
   void reset();
-  /// Bang-bang law: what the state of the integral asks for.
+  const TrackerLaw& law() const { return *law_; }
+  /// Where the law holds the ZMP in this cycle.
   Drive drive() const { return drive_; }
-  /// Smooth law: acceleration [m/s^2] for planned velocity `v_plan` and current velocity `v` [m/s].
-  /// @param ahead what I is meant to be now [m]
+  /// Acceleration that the law asks of the pendulum for the planned velocity `v_plan` and the current velocity `v` [m/s] -> [m/s^2].
+  /// @param ahead value that I is meant to have now [m]
   double acceleration(double v_plan, double v, double ahead = 0.0) const;
-  /// Smooth law: what it adds to v_plan, -k (I - ahead) within `catch_up_speed` [m/s].
+  /// Speed that is added to v_plan to make up lost way: -k (I - ahead), within `catch_up_speed` [m/s].
   double catch_up(double ahead = 0.0) const;
-  /// Adds one cycle to the integral and, for the bang-bang law, takes the next mode.
+  /// Adds one cycle to the integral, and lets the law choose its next drive.
   void advance(double v_des, double v_plan, double dt);
 
   double integral() const { return integral_; }  ///< [m]
-  TrackerLaw law() const { return law_; }
 
  private:
-  TrackerLaw law_;
-  double gain_, time_, deadband_, catch_up_speed_;
+  TrackingSettings settings_;
+  const TrackerLaw* law_;
   double integral_ = 0.0;
   Drive drive_ = Drive::kNone;
 };

@@ -8,19 +8,19 @@
 
 namespace zmpwalk {
 
-/// A caller's mistake. Every message gives the value, the rule, and what would have worked.
+/// A mistake of the caller. Every message gives the value, the rule that it breaks, and what would have worked.
 struct Error : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
-/// A value that breaks a rule: NaN, negative, out of range, unknown name.
+/// A value breaks a rule: it is NaN, negative or out of range, or a name is unknown.
 struct InputError : Error {
   using Error::Error;
 };
-/// An array of the wrong shape.
+/// An array has the wrong shape.
 struct DimensionError : Error {
   using Error::Error;
 };
-/// A model or robot that cannot be used; `what()` gives every reason, a line each.
+/// A model or robot cannot be used. `what()` gives every reason, each on a line of its own.
 struct ModelError : Error {
   explicit ModelError(std::vector<std::string> why) : Error(lines(why)), reasons(std::move(why)) {}
   explicit ModelError(std::string why) : ModelError(std::vector<std::string>{std::move(why)}) {}

@@ -12,7 +12,7 @@ struct SymmetricFactors {
 
 /// Pseudo-inverse and null space of symmetric `W` (n, n), whose `rank` is known by counting.
 ///
-/// Cutting by count, not by size: the smallest eigenvalue that counts may be far below the largest that does not.
+/// The n - rank smallest eigenvalues count as zero, whatever their size: no threshold tells a small one that counts from rounding.
 /// @throws DimensionError  W not square, or rank not in 0..n
 SymmetricFactors factor_symmetric(const ConstMatRef& W, int rank);
 

@@ -8,7 +8,7 @@
 
 namespace zmpwalk {
 
-/// The newest of three numbers, from any thread to one reader that neither waits nor locks (a sequence lock).
+/// Hands three numbers from any thread to one reader, who gets the newest and neither waits nor locks (a sequence lock).
 class Mailbox {
  public:
   /// Puts `value` in place of what was there. Writers wait for each other.
@@ -21,7 +21,7 @@ class Mailbox {
     sequence_.store(n + 2, std::memory_order_release);
   }
 
-  /// Takes what is new. False where nothing is, or where a writer is at it: then it comes with the next call.
+  /// Writes a new value into `out`. Returns false where there is none, or while a writer is at work; then the next call gets it.
   bool take(Vec3& out) {
     const unsigned n = sequence_.load(std::memory_order_acquire);
     if (n == taken_ || n % 2 == 1) return false;
@@ -34,7 +34,7 @@ class Mailbox {
     return true;
   }
 
-  /// Forgets what was not taken.
+  /// Forgets a value that was not taken.
   void clear() {
     Vec3 stale;
     take(stale);

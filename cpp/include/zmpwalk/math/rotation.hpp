@@ -16,7 +16,7 @@ inline Mat3 rotation_z(double yaw) {
   return R;
 }
 
-/// An orientation with angular velocity [rad/s] and acceleration [rad/s^2], in the axes that it is seen from.
+/// An orientation with its angular velocity [rad/s] and acceleration [rad/s^2], all expressed in the frame that `R` leads to.
 struct Turning {
   Mat3 R = Mat3::Identity();
   Vec3 omega = Vec3::Zero(), alpha = Vec3::Zero();
@@ -43,7 +43,7 @@ inline double wrap_angle(double angle) { return std::abs(angle) < M_PI ? angle :
 
 /// Rotation vector, in world axes, that turns `R` into `R_des` [rad], (3,). Zero when they agree.
 ///
-/// R_des = exp(skew(e)) R, so e feeds a task whose velocity is the angular velocity in world axes.
+/// R_des = exp(skew(e)) R. So e is the position error of a task whose velocity is the angular velocity in world axes.
 inline Vec3 orientation_error(const Mat3& R_des, const Mat3& R) {
   const Eigen::AngleAxisd turn(Mat3(R_des * R.transpose()));
   return turn.angle() * turn.axis();

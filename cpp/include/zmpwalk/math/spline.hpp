@@ -13,12 +13,12 @@ struct Motion1 {
 
 /// The cubic p(t) = c0 + c1 t + c2 t^2 + c3 t^3 that meets position and velocity at t = 0 and t = T.
 ///
-/// Lengths in m (or rad), T in s. Past its ends it holds: p and v of the end, a = 0.
+/// Positions are in m (or rad), T in s. Before t = 0 and after T it keeps p and v of that end, and a is 0.
 /// Source: the paper, section IV ("cubic spline function for each direction").
 class Cubic {
  public:
   Cubic() = default;
-  /// @throws nothing; `T` <= 0 gives a cubic that already is at its end.
+  /// `T` <= 0 gives a cubic that is at its end already. It throws nothing.
   Cubic(double p0, double v0, double p1, double v1, double T) : c0_(p0), c1_(v0), T_(std::max(T, 0.0)) {
     if (T_ == 0.0) {
       c0_ = p1;
@@ -42,7 +42,7 @@ class Cubic {
   double c0_ = 0.0, c1_ = 0.0, c2_ = 0.0, c3_ = 0.0, T_ = 0.0;
 };
 
-/// Velocities at the knots (t_i, p_i) that join their cubics with continuous acceleration; zero at both ends.
+/// Velocities at the knots (t_i, p_i) with which the cubics between them join in a continuous acceleration. The first and the last are zero.
 ///
 /// Row i of the system: v_i-1 / h_i-1 + 2 (1 / h_i-1 + 1 / h_i) v_i + v_i+1 / h_i = 3 (d_i-1 / h_i-1^2 + d_i / h_i^2), with
 /// h_i = t_i+1 - t_i, d_i = p_i+1 - p_i.

@@ -25,10 +25,10 @@ using RowMatX = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Row
 using ConstVecRef = Eigen::Ref<const VecX>;
 using ConstMatRef = Eigen::Ref<const RowMatX>;
 
-/// "Not set" for settings, "not there" for results.
+/// Not-a-number: a setting that was not set, or a result that does not exist.
 inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// The two feet, everywhere in this order.
+/// The two feet. Every array that has an entry for each foot has them in this order.
 enum Side : int { kLeft = 0, kRight = 1 };
 inline constexpr std::array<Side, 2> kSides{kLeft, kRight};
 inline constexpr Side other(Side side) { return side == kLeft ? kRight : kLeft; }

@@ -20,19 +20,19 @@ struct JointDrive {
 /// Puts joint torques into an mjData, whatever drives the joints.
 ///
 /// A joint with one plain torque motor (no dynamics, no bias, any gear and gain) takes ctrl = tau / (gear gain). The torque of any other
-/// joint (servos, several actuators, actuators with dynamics, tendons, none) goes through qfrc_applied, exactly: its actuators are
-/// set to give no force where a control does that, and what MuJoCo's own mj_fwdActuation says they still give, clipped as
-/// the model clips it, is subtracted. So qfrc_actuator + qfrc_applied = tau at the state that was written for.
+/// joint (with servos, several actuators, actuators with dynamics, tendons, or no actuator) goes through qfrc_applied, exactly. Its actuators are
+/// set to give no force where a control can do that. What they still give, as MuJoCo's own mj_fwdActuation says and clipped as the model
+/// clips it, is subtracted. So qfrc_actuator + qfrc_applied = tau at the state for which the torque was written.
 class Actuation {
  public:
   /// @param joints  MuJoCo numbers of the robot's joints, hinges and slides, in the order of its dofs
   /// @param limits  torque limits by joint name that replace the model's [N m]; a motor still gives no more than the model lets through
-  /// What the limits and ranges must be is a rule of the model (`model_reasons`), and is not asked again here.
+  /// The rules for limits and ranges are checked by `model_reasons`, not here.
   Actuation(const mjModel* m, const std::vector<int>& joints, const std::map<std::string, double>& limits);
 
   const std::vector<JointDrive>& drives() const { return drives_; }
 
-  /// Writes `tau` (joints,) [N m] for the state in `d`. `own` is scratch for the same model that holds the robot's state.
+  /// Writes `tau` (joints,) [N m] for the state in `d`. `own` is another mjData of the same model with the robot's state, used as scratch memory.
   ///
   /// Only ctrl of the actuators that act on the robot changes, and qfrc_applied of the joints that are driven through it. Allocates nothing.
   void write(const ConstVecRef& tau, mjData* d, mjData* own) const;
@@ -48,16 +48,17 @@ class Actuation {
   int qpos0_ = 0, nq_ = 0, dof0_ = 0, nv_ = 0;  // of the robot's tree
 };
 
-/// The range, "ctrl" or "force", that never lets an actuator leave the joint that it turns without torque; nullptr where none is so.
+/// The range, "ctrl" or "force", that does not contain zero, so that the actuator always pulls at the joint that it turns; nullptr where
+/// both ranges contain it.
 const char* range_without_rest(const mjModel* m, int actuator);
 
-/// The actuator turns `joint` itself, not through a tendon.
+/// True where the actuator turns `joint` directly, not through a tendon.
 bool turns_joint(const mjModel* m, int actuator, int joint);
 
 /// Hinges and slides of the tree whose root body is `root`, in the order of their dofs.
 std::vector<int> tree_joints(const mjModel* m, int root);
 
-/// Joints whose positions a tendon's length depends on: those of a fixed one, those between the sites and geoms of a spatial one.
+/// Joints whose positions the length of a tendon depends on: those that a fixed tendon names, or those between the sites and geoms of a spatial one.
 std::vector<int> tendon_joints(const mjModel* m, int tendon);
 
 }  // namespace zmpwalk

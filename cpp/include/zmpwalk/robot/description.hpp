@@ -21,7 +21,7 @@ struct Foot {
   std::vector<std::string> leg_joints;    ///< six joint names, hip to ankle
 };
 
-/// The single thing that tells robots apart. All addressing is by name.
+/// Everything that the controller has to be told about a robot in a model. Bodies, joints and sites are named, never numbered.
 struct RobotDescription {
   std::string name;
   std::string root_joint;                       ///< the free joint; empty where the model does not name it
@@ -32,15 +32,15 @@ struct RobotDescription {
   std::string stand_keyframe;                   ///< the keyframe the pose came from; may be empty
   std::map<std::string, double> torque_limits;  ///< by joint name, in place of the model's [N m]; may be empty
 
-  /// Throws ModelError, with every reason of `model_reasons`, unless every name exists in `m` and the robot can be walked. Changes nothing.
+  /// Throws ModelError, with every reason of `model_reasons`, unless every name exists in `m` and the robot can walk. Changes nothing.
   void check(const mjModel* m) const;
 
-  /// Number of the free joint: `root_joint`, or where that is empty the left foot's tree's. The names must be right.
+  /// Number of the free joint: that of `root_joint`, or if this is empty, of the tree to which the left foot belongs. The names must be right.
   int free_joint(const mjModel* m) const;
 
-  /// Puts the robot into its start pose, at rest, feet flat: knees bent, soles on z = `ground` [m].
+  /// Puts the robot into its start pose, at rest, with flat soles at the height `ground` in W [m].
   ///
-  /// Only the robot's own qpos and qvel change, by name, so it may be any tree of a scene; then mj_forward.
+  /// Only the robot's own qpos and qvel change, so that it may be any tree of a scene. Then it calls mj_forward.
   /// @throws ModelError as check()
   void place(const mjModel* m, mjData* d, double ground = 0.0) const;
 };

@@ -13,7 +13,7 @@
 
 namespace zmpwalk {
 
-/// Hip pitch, knee and ankle pitch axes of a leg at the start pose, seen from the side (x forward, z up).
+/// Geometry of a leg at the start pose, seen from the side (x forward, z up): the pitch axes of hip, knee and ankle, and the knee's drive.
 struct RobotLeg {
   double thigh = 0.0;                ///< hip to knee [m]
   double shank = 0.0;                ///< knee to ankle [m]
@@ -23,42 +23,43 @@ struct RobotLeg {
   double knee_damping = 0.0;         ///< [N m s/rad]
 };
 
-/// One robot inside a MuJoCo model: mjModel and mjData on one side, `Dynamics` on the other.
+/// One robot in a MuJoCo model. It translates MuJoCo's mjModel and mjData into `Dynamics`, and torques back into mjData.
 ///
-/// From a state alone it works on an mjData of its own: no collision, no constraint solver. `m` must outlive it.
+/// Given a state alone, it computes the terms in an mjData of its own, without collisions and without the constraint solver. `m` must outlive it.
 class Robot {
  public:
-  /// @throws ModelError  with every reason of `model_reasons`; where there is none, with those of `stand_reasons`
+  /// @throws ModelError  the robot cannot walk: it gives every reason of `model_reasons`, or if there is none, those of `stand_reasons`
   Robot(const mjModel* m, const RobotDescription& description);
 
   /// Reads the robot's state out of `d` and computes every term of `dynamics()`. Allocates nothing.
   ///
-  /// A, b, g from mj_crb, mj_rne and mj_passive; Jdot dq by the pass with ddq = 0 along each leg.
-  /// Joint dry friction enters b as c tanh(dq / friction_velocity).
+  /// A, b and g come from mj_crb, mj_rne and mj_passive; Jdot dq is the acceleration of a frame with ddq = 0, summed along its leg.
+  /// Dry friction of a joint enters b as c tanh(dq / friction_velocity).
   void read(const mjData* d);
   /// The same from numbers alone: the same bits for the same q and dq. Allocates nothing.
   void read(const State& state);
-  /// Position, velocity and time of the robot in `d`; what is sensed stays as it is. Allocates nothing.
+  /// Writes position, velocity and time of the robot in `d` into `out`; its sensed values stay as they are. Allocates nothing.
   void observe(const mjData* d, State& out) const;
-  /// The same from the terms that `d` holds already: right after mj_step1 or mj_forward for this very state. The same bits.
+  /// Does what `read` does, with the same bits, but takes the terms that `d` holds already: call it right after mj_step1 or mj_forward.
   /// Allocates nothing.
   void read_computed(const mjData* d);
   /// @throws InputError  the base in `d` has moved since the terms in `d` were computed. Allocates nothing otherwise.
   void require_computed(const mjData* d) const;
   const Dynamics& dynamics() const { return dynamics_; }
 
-  /// Index in `dynamics().frames` of the frame of a body or a site, which every `read` fills in from then on. Allocates: outside the cycle.
+  /// Index in `dynamics().frames` of the frame of a body or a site. Every `read` fills that frame in from then on. It allocates, so call it outside
+  /// the cycle.
   ///
   /// A body's name is looked for first. The same name gives the same index.
-  /// @throws InputError  the robot has neither of that name; says which there are
+  /// @throws InputError  the robot has neither a body nor a site of that name; the message says which there are
   int watch(const std::string& name);
-  /// Known forces (`zmpwalk::apply_external`), until the next read. Allocates nothing. @throws InputError no such frame
+  /// Adds known forces to the dynamics (`zmpwalk::apply_external`), until the next read. Allocates nothing. @throws InputError  no such frame
   void apply_external(const std::vector<ExternalWrench>& external);
   /// The robot's own part of qpos (nv + 1,) and qvel (nv,), as last read.
   Eigen::Map<const VecX> qpos() const;
   Eigen::Map<const VecX> qvel() const;
 
-  /// @throws InputError where `d` was made for a model of another size. Allocates nothing otherwise.
+  /// @throws InputError  `d` was made for a model of another size. Allocates nothing otherwise.
   void require_data(const mjData* d) const;
   /// True where every position and velocity of the robot in `d` is finite.
   bool is_finite(const mjData* d) const;
@@ -86,13 +87,13 @@ class Robot {
   /// Joint index (0-based, base excluded) of each leg joint, hip to ankle.
   const std::array<std::vector<int>, 2>& leg_joints() const { return leg_joints_; }
   bool is_leg_joint(int joint) const;
-  /// Joints outside the legs that carry less than a fifth of the robot's mass: arms, not the waist (indices).
+  /// Joints that count as those of arms (indices): they are outside the legs and carry less than a fifth of the robot's mass, as a waist does not.
   const std::vector<int>& arm_joints() const { return arm_joints_; }
   /// Lower and upper limit of a joint [rad or m]; infinite where it has none.
   std::pair<double, double> joint_range(int joint) const;
   /// Joint positions of the start pose (joints,).
   const VecX& stand() const { return stand_; }
-  /// Position of the lowest leg joints' axes (ankle) in the sole frame: where the ankle torque limit acts [m].
+  /// Position of the ankle's axes in the sole frame, where the torque limits of the ankle act [m].
   Vec3 ankle_in_sole(Side side) const { return ankle_F_[side]; }
   /// Friction between a sole and the ground in the model: the least of the foot's geoms against the world's, as MuJoCo pairs them; that of
   /// the foot alone where the model has no ground.
@@ -103,9 +104,9 @@ class Robot {
   RobotLeg leg_at_stand(Side side) const { return leg_[side]; }
   /// Sole centre in W, from the body poses that `d` holds (after mj_step: those of the state before it) [m].
   Vec3 sole_centre(Side side, const mjData* d) const;
-  /// Distance of the joint that is nearest to one of its limits in `d` [rad or m]; infinity without limits.
+  /// Distance to its limit of the joint that is nearest to one in `d` [rad or m]; infinity if no joint has a limit.
   double joint_margin(const mjData* d) const;
-  /// How far both hips can turn about the vertical from the start pose, either way: least distance to their limits [rad].
+  /// How far both hips can turn about the vertical from the start pose, either way: the smallest distance to one of their limits [rad].
   double hip_turn() const { return hip_turn_; }
   /// Of the leg joints [first, last), the one whose axis lies closest to the sole's y at the start pose (joint index).
   int pitch_joint(Side side, int first, int last) const { return joint_about(1, side, first, last); }

@@ -6,7 +6,7 @@
 
 namespace zmpwalk {
 
-/// A robot's names for tasks that are added to its walk.
+/// Finds frames and joints of a robot by name, for tasks that are added to its walk.
 class NamesOfRobot : public RobotNames {
  public:
   explicit NamesOfRobot(Robot& robot) : robot_(robot) {}

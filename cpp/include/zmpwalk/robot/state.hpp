@@ -8,13 +8,13 @@
 
 namespace zmpwalk {
 
-/// What is felt or known beside position and velocity; NaN means that nobody knows.
+/// What is measured or known of the robot beside position and velocity. NaN means unknown.
 struct Sensed {
   /// Wrench of each foot on the ground, world axes, at the sole centre, left and right [N, N m].
   std::array<Vec6, 2> wrench{Vec6::Constant(kNaN), Vec6::Constant(kNaN)};
   /// 1 where a foot touches the ground, 0 where it does not; left and right.
   std::array<double, 2> contact{kNaN, kNaN};
-  std::vector<ExternalWrench> external;  ///< known forces on the robot
+  std::vector<ExternalWrench> external;  ///< known forces on the robot, such as the weight of what it carries
 };
 
 /// What a cycle knows of the robot: measured, estimated, or read from a simulator. Plain numbers.
@@ -30,5 +30,9 @@ struct State : Sensed {
   VecX q;             ///< (nv + 1,) [m, -, rad]
   VecX dq;            ///< (nv,) [m/s, rad/s]
 };
+
+/// What any state has to be. @param nv velocity coordinates of the robot
+/// @throws DimensionError q or dq of another size; InputError time, position or velocity is not finite, or the base's quaternion has no length
+void require_state(const State& state, int nv);
 
 }  // namespace zmpwalk

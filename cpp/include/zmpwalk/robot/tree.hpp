@@ -8,7 +8,7 @@
 
 namespace zmpwalk {
 
-/// Bodies from `body` up to the root of its tree, itself first.
+/// Bodies from `body` up to the root of its tree, `body` first.
 std::vector<int> ancestors(const mjModel* m, int body);
 
 /// Bodies that hang from `body` directly.

@@ -9,9 +9,15 @@
 
 namespace zmpwalk {
 
-/// The values of an enum with the word for each, as it stands in Python, in files and in messages.
+/// A value of an enum, the word for it as it stands in Python, in files and in messages, and what the word says where that is not plain.
 template <class Enum>
-using Choices = std::vector<std::pair<Enum, const char*>>;
+struct Choice {
+  Enum value;
+  const char* word;
+  const char* meaning = "";  ///< goes on after the word: "accelerates in proportion to the error"
+};
+template <class Enum>
+using Choices = std::vector<Choice<Enum>>;
 
 /// Where the swing foot is set down.
 enum class Footsteps { kTied, kAbsolute, kPaper, kPrinted, kList };
@@ -31,12 +37,15 @@ inline const Choices<ComState>& choices(ComState) {
   return all;
 }
 
-/// How the walk follows the planned velocity (III-C).
-enum class TrackerLaw { kSmooth, kBangBang };
-inline const Choices<TrackerLaw>& choices(TrackerLaw) {
-  static const Choices<TrackerLaw> all{{TrackerLaw::kSmooth, "smooth"}, {TrackerLaw::kBangBang, "bang_bang"}};
-  return all;
-}
+// Laws that are rows of a table. A value is the row's number, and the first row is the default.
+
+/// A lateral law (III-D): a row of `LateralLaw::all()`.
+enum class LateralLawName : int {};
+const Choices<LateralLawName>& choices(LateralLawName);
+
+/// A law by which the walk follows the planned velocity (III-C): a row of `TrackerLaw::all()`.
+enum class TrackerLawName : int {};
+const Choices<TrackerLawName>& choices(TrackerLawName);
 
 /// How the reference ZMP is found (III-B).
 enum class Iteration { kClosedForm, kLoop, kNone };
@@ -58,27 +67,35 @@ inline const Choices<Side>& choices(Side) {
   return all;
 }
 
+/// The choices that the rows of a table of laws give.
+template <class Name, class Law>
+Choices<Name> choices_of(const std::vector<Law>& laws) {
+  Choices<Name> out;
+  for (const Law& law : laws) out.push_back({static_cast<Name>(out.size()), law.name, law.meaning});
+  return out;
+}
+
 /// The word for a value.
 template <class Enum>
 std::string to_string(Enum value) {
-  for (const auto& [v, word] : choices(Enum{}))
-    if (v == value) return word;
+  for (const auto& choice : choices(Enum{}))
+    if (choice.value == value) return choice.word;
   return "?";
 }
 
-/// Sets `out` to the value that `word` stands for; `name` is what the message calls it.
-/// @throws InputError  an unknown word; the message names those that exist
+/// What to tell someone whose word for `name` is none of `known`: those that there are, and the nearest of them if one is near.
+std::string no_such_word(const std::string& name, const std::string& word, const std::vector<std::string>& known);
+
+/// The value that `word` stands for; `name` is what the message calls it.
+/// @throws InputError  an unknown word; the message names those that exist, and the nearest
 template <class Enum>
-void from_string(const char* name, const std::string& word, Enum& out) {
-  std::string known;
-  for (const auto& [v, w] : choices(Enum{})) {
-    if (word == w) {
-      out = v;
-      return;
-    }
-    known += std::string(known.empty() ? "" : ", ") + w;
+Enum chosen(const char* name, const std::string& word) {
+  std::vector<std::string> known;
+  for (const auto& choice : choices(Enum{})) {
+    if (word == choice.word) return choice.value;
+    known.emplace_back(choice.word);
   }
-  throw InputError(std::string(name) + " = '" + word + "' is unknown; there are: " + known);
+  throw InputError(no_such_word(name, word, known));
 }
 
 }  // namespace zmpwalk

@@ -9,7 +9,7 @@ namespace zmpwalk {
 
 struct WalkSettings;
 
-/// What the defaults scale with.
+/// The quantities of a robot with which the defaults of the settings scale.
 struct RobotScale {
   double com_height = 0.0;     ///< z_c, over the soles, at the start pose [m]
   double gravity = 0.0;        ///< g [m/s^2]
@@ -20,25 +20,26 @@ struct RobotScale {
   double mass = 0.0, leg_mass = 0.0;                             ///< of the robot and of one leg [kg]
   double sole_radius = std::numeric_limits<double>::infinity();  ///< from a sole's centre to its corner [m]
   bool has_arms = false;                                         ///< joints outside the legs that may swing
-  // What it costs the knee to swing the foot; nothing by default.
+  // What swinging the foot costs the knee; with these values it costs nothing.
   double hip_to_ankle = std::numeric_limits<double>::infinity();  ///< at the start pose, seen from the side [m]
   double knee_per_lift = 0.0;  ///< knee angle per shortening of that distance, at the start pose [rad/m]
   double knee_armature = 0.0;  ///< [kg m^2]
   double knee_damping = 0.0;   ///< [N m s/rad]
-  double knee_torque = std::numeric_limits<double>::infinity();  ///< limit [N m]
+  double knee_torque = std::numeric_limits<double>::infinity();  ///< torque limit of the knee [N m]
 };
 
-/// What the rule of a default may look at.
+/// Everything from which the rule of a default may compute its value.
 struct Scale {
   Scale(const RobotScale& robot, const WalkSettings& settings, double top_speed);
 
   const RobotScale& robot;
-  const WalkSettings& settings;  ///< those that stand before the default's own in the table have their values already
-  double top_speed;              ///< that the robot is to walk at [m/s]
-  double Tc;                     ///< time constant of the pendulum, sqrt(z_c / g) [s]
-  double speed;                  ///< Froude number 1, sqrt(g z_c) [m/s]
-  double period;                 ///< of a step, as section IV has it on its robot; in hundredths of a second [s]
-  double rate;                   ///< T_c of the robot of section IV, over this robot's T_c
+  const WalkSettings&
+      settings;      ///< settings that stand earlier in the table than the one in question have their values already
+  double top_speed;  ///< highest speed at which the robot is to walk [m/s]
+  double Tc;         ///< time constant of the pendulum, sqrt(z_c / g) [s]
+  double speed;      ///< Froude number 1, sqrt(g z_c) [m/s]
+  double period;     ///< period of a step, scaled from that of section IV and rounded to hundredths of a second [s]
+  double rate;       ///< T_c of the robot of section IV divided by this robot's T_c
 };
 
 /// A quantity of the robot that defaults are multiples of: its name, and `factor` times it.
@@ -58,7 +59,7 @@ inline constexpr Quantity kPerTimeConstantSquared{"/ T_c^2",
                                                   [](double f, const Scale& s) { return f / (s.Tc * s.Tc); }};
 inline constexpr Quantity kStepPeriod{"of a step's period, which is 0.8 s sqrt(z_c / 0.747 m)",
                                       [](double f, const Scale& s) { return f * s.period; }};
-/// Gains that were found on the robot of section IV and keep their meaning on one that is faster or slower.
+/// The gains were found on the robot of section IV; scaled like this they do the same on a robot that is faster or slower.
 inline constexpr Quantity kStiffness{"(0.276 s / T_c)^2", [](double f, const Scale& s) { return f * s.rate * s.rate; }};
 inline constexpr Quantity kDamping{"(0.276 s / T_c)", [](double f, const Scale& s) { return f * s.rate; }};
 
@@ -93,7 +94,7 @@ inline constexpr Range kNotNegative{"finite and not negative", [](double x) { re
 inline constexpr Range kPositive{"finite and greater than 0", [](double x) { return std::isfinite(x) && x > 0.0; }};
 inline constexpr Range kShare{"in 0..1", [](double x) { return x >= 0.0 && x <= 1.0; }};
 inline constexpr Range kAtLeastOne{"at least 1", [](double x) { return x >= 1.0; }};
-/// What is no number has no range: its type says what it may be.
+/// A setting that is no number has no range: its type says what it may be.
 inline constexpr Range kAnything{"", [](double) { return true; }};
 
 }  // namespace must_be
@@ -106,10 +107,10 @@ struct Setting {
   const char* unit;       ///< SI; "" where there is none
   Range range;            ///< of the number, or of each number of a list or table
   Default default_value;  ///< where it depends on the robot; else the member's initialiser is the default
-  const char* meaning;    ///< what it is for, in sentences that stand alone
+  const char* meaning;    ///< what the setting is for, in sentences that stand alone
 
   std::string path() const { return std::string(group) + "." + name; }
-  /// As messages call it, with the flat name where that is another: "tracking.gain (tracker_gain)".
+  /// The name that messages use, with the flat name behind it where that differs: "tracking.gain (tracker_gain)".
   std::string both_names() const;
 };
 

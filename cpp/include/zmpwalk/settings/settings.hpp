@@ -8,7 +8,7 @@
 
 namespace zmpwalk {
 
-/// Every gain, bound and switch of the walk, in groups. What each is for stands in `table.hpp`, its only place.
+/// Every gain, bound and switch of the walk, in groups. `table.hpp` says what each is for.
 ///
 /// SI units. Not-a-number means "from the robot": `resolve` fills it in when a controller is made.
 struct WalkSettings {
@@ -58,9 +58,9 @@ void visit_settings(Settings& s, Visitor&& v) {
 
 /// Share of the knee's torque limit that its own rotor and damping take as the swing foot leaves the ground.
 ///
-/// The cubics start with 6 h / (T_ss/2)^2 upward and 6 (2 v T) / T_ss^2 forward; the latter shortens the leg by x / l of it, where
-/// the hip is x = v (T + T_ds) / 2 ahead of the ankle.
-/// @param s T_ss, T_ds set   @param lift h [m]   @param speed v [m/s]
+/// The cubic splines of the swing foot start with the accelerations 6 h / (T_ss/2)^2 upward and 6 (2 v T) / T_ss^2 forward. The forward one
+/// shortens the leg by x / l of it, where the hip is x = v (T + T_ds) / 2 ahead of the ankle.
+/// @param s its T_ss and T_ds are used   @param lift h [m]   @param speed v [m/s]
 double knee_share(const RobotScale& robot, const WalkSettings& s, double lift, double speed);
 
 /// Yaw moment with which the swing leg turns the stance foot, over the moment at which its sole slips.
@@ -70,15 +70,15 @@ double knee_share(const RobotScale& robot, const WalkSettings& s, double lift, d
 /// @param s T_ss, T_ds, width set   @param speed v [m/s]
 double twist_share(const RobotScale& robot, const WalkSettings& s, double speed);
 
-/// `settings` with every NaN replaced by the robot's value, all checked.
-/// @param top_speed  that the robot is to walk at [m/s]
-/// @throws InputError  a value that breaks a rule: the message gives name, value and rule
+/// Replaces every NaN in `settings` by the robot's value, and checks them all.
+/// @param top_speed  highest speed at which the robot is to walk [m/s]
+/// @throws InputError  a value breaks a rule; the message gives name, value and rule
 WalkSettings resolve(const WalkSettings& settings, const RobotScale& robot, double top_speed = 0.0);
 
 /// What to tell someone who asked for a setting that does not exist: the nearest names, or the groups if none is near.
 std::string no_such_setting(const std::string& name);
 
-/// Lead lengths of section IV, corrected (0.1, 0.15, 0.2, 0.2, ...) and as printed (0.25 from the fourth on) [m].
+/// How far each step of section IV lands ahead of the stance foot: corrected (0.1, 0.15, 0.2, 0.2, ...), and as printed (0.25 from the fourth on) [m].
 const std::vector<double>& paper_step_lengths();
 const std::vector<double>& printed_step_lengths();
 

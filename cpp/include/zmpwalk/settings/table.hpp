@@ -99,8 +99,10 @@ struct StepsSettings {
 
   Footsteps mode = Footsteps::kTied;
   std::vector<double> lengths;
-  double width = kNaN, clearance = kNaN, reach = kNaN, filter_time = kNaN, give = 0.3, freeze = 0.7;
+  double width = kNaN, clearance = kNaN, shift = kNaN, filter_time = kNaN, give = 0.3, freeze = 0.7;
   double capture_distance = kNaN, capture_speed = kNaN;
+  bool timing = true;
+  double ahead_most = kNaN, aside_most = kNaN, least_time = kNaN, wait_time = kNaN, foot_speed = kNaN;
 
   template <class Self, class Visitor>
   static void rows(Self& g, Visitor&& v) {
@@ -115,7 +117,7 @@ struct StepsSettings {
       "Distance of the two feet from each other, sideways.");
     v(g.clearance, "clearance", "foot_clearance", "m", must_be::kNotNegative, {0.03, of::kComHeight},
       "Least gap that a step leaves between the edges of the two soles, sideways.");
-    v(g.reach, "reach", "foothold_reach", "m", must_be::kNotNegative, {0.25, of::kComHeight},
+    v(g.shift, "shift", "foothold_reach", "m", must_be::kNotNegative, {0.25, of::kComHeight},
       "How far a tied foothold may be moved from its nominal place to keep the robot balanced.");
     v(g.filter_time, "filter_time", "foothold_time", "s", must_be::kPositive, {0.18, of::kTimeConstant},
       "Time constant of the low-pass through which a tied foothold moves while the foot is in the air.");
@@ -130,6 +132,20 @@ struct StepsSettings {
       "with tied footsteps. Beyond that the tracked speed yields, so that the next step still catches the robot.");
     v(g.capture_speed, "capture_speed", "capture_speed", "m/s", must_be::kNotNegative, {0.2, of::kFroudeSpeed},
       "Most that the tracked speed yields, either way, to keep the DCM within capture_distance of its plan.");
+    v(g.timing, "timing", "step_timing", "", must_be::kAnything, {},
+      "Whether the time of a step changes when the robot is pushed, so that the next foot can catch it. A walk that "
+      "nothing disturbs keeps its times.");
+    v(g.ahead_most, "ahead_most", "step_ahead_most", "m", must_be::kPositive, {0.6, of::kComHeight},
+      "How far ahead of the standing foot, or behind it, a foot can be set down to catch the robot.");
+    v(g.aside_most, "aside_most", "step_aside_most", "m", must_be::kPositive, {0.67, of::kComHeight},
+      "How far beside the standing foot a foot can be set down to catch the robot.");
+    v(g.least_time, "least_time", "step_least_time", "s", must_be::kPositive, {1.1, of::kTimeConstant},
+      "Shortest single support that a step takes to catch the robot.");
+    v(g.wait_time, "wait_time", "step_wait_time", "s", must_be::kNotNegative, {3.0, of::kTimeConstant},
+      "How much longer than planned a foot stays in the air, at most, while the DCM (COM + T_c times its velocity) comes "
+      "back over the standing foot.");
+    v(g.foot_speed, "foot_speed", "step_foot_speed", "m/s", must_be::kPositive, {0.6, of::kFroudeSpeed},
+      "Mean horizontal speed with which a foot can be brought to another place to catch the robot.");
   }
 };
 
@@ -194,8 +210,7 @@ struct ComSettings {
       "landed is not loaded on its heel, where the contact settles slowly.");
     v(g.least_knee, "least_knee", "least_knee", "rad", must_be::kNotNegative, {},
       "Smallest knee angle that the plan allows, so that no leg becomes straight. It leaves room for what the plan "
-      "does "
-      "not know: swing leg and pelvis move the hips against the COM.");
+      "does not know: swing leg and pelvis move the hips against the COM.");
     v(g.crouch_limit, "crouch_limit", "crouch_limit", "m", must_be::kNotNegative, {0.1, of::kComHeight},
       "How far the COM may come down so that the legs reach far enough for long steps.");
     v(g.crouch_margin, "crouch_margin", "crouch_margin", "", must_be::kNotNegative, {},
@@ -216,8 +231,10 @@ struct ZmpSettings {
   double threshold = 1e-3;
   int max_iterations = 200;
   double sole_fraction = 0.72, sole_exponent = 0.5, ankle_torque_fraction = 0.9;
-  bool bound_lateral = true, lateral_feedback = true;
+  bool bound_lateral = true;
+  LateralLawName lateral_law{};
   double lateral_shift = 0.4;
+  double whole_fraction = 0.95, corner_cut = 0.3;
 
   template <class Self, class Visitor>
   static void rows(Self& g, Visitor&& v) {
@@ -243,11 +260,17 @@ struct ZmpSettings {
       "the sole, bounds the ZMP.");
     v(g.bound_lateral, "bound_lateral", "bound_lateral", "", must_be::kAnything, {},
       "Whether the ZMP is kept inside its bounds sideways too. The paper bounds it forward only.");
-    v(g.lateral_feedback, "lateral_feedback", "lateral_feedback", "", must_be::kAnything, {},
-      "Whether the reference ZMP is shifted sideways so that the sway repeats (III-D). With false the sway follows "
-      "(17) alone, and an error at the start never decays.");
+    v(g.lateral_law, "lateral_law", "lateral_law", "", must_be::kAnything, {},
+      "Law by which the reference ZMP is shifted sideways from the middle of the sole that carries it (III-D).");
     v(g.lateral_shift, "lateral_shift", "lateral_reach", "", must_be::kNotNegative, {},
-      "Largest sideways shift of the reference ZMP that makes the sway repeat, as a share of half the sole's width.");
+      "Largest sideways shift of the reference ZMP that the lateral law may ask for, as a share of half the sole's "
+      "width.");
+    v(g.whole_fraction, "whole_fraction", "whole_sole_fraction", "", must_be::kPositive, {},
+      "Share of the sole's length and width that the ZMP may use when the robot has been pushed. It takes the place of "
+      "sole_fraction as the DCM (COM + T_c times its velocity) leaves its plan.");
+    v(g.corner_cut, "corner_cut", "corner_cut", "", must_be::kShare, {},
+      "Share of the sole's length that the ZMP gives up where it is at the sole's side: in a corner of the sole it would "
+      "tip the foot.");
   }
 };
 
@@ -255,14 +278,12 @@ struct TrackingSettings {
   static constexpr const char* kGroup = "tracking";
   static constexpr const char* kMeaning = "How the walk follows the planned velocity (III-C).";
 
-  TrackerLaw law = TrackerLaw::kSmooth;
+  TrackerLawName law{};
   double gain = kNaN, time = kNaN, catch_up_speed = kNaN, deadband = 2e-4;
 
   template <class Self, class Visitor>
   static void rows(Self& g, Visitor&& v) {
-    v(g.law, "law", "tracker", "", must_be::kAnything, {},
-      "Law by which the COM's velocity follows the planned one: 'smooth' accelerates in proportion to the error, "
-      "'bang_bang' drives the ZMP to its bounds until the error is gone, as III-C is printed.");
+    v(g.law, "law", "tracker", "", must_be::kAnything, {}, "Law by which the COM's velocity follows the planned one.");
     v(g.gain, "gain", "tracker_gain", "1/s", must_be::kPositive, {1.38, of::kPerTimeConstant},
       "How fast the smooth law makes up lost way: speed that it adds per metre behind the plan.");
     v(g.time, "time", "tracker_time", "s", must_be::kPositive, {0.18, of::kTimeConstant},
@@ -394,7 +415,7 @@ struct ControlSettings {
 
   double dt = kNaN;
   bool textbook = false;
-  double singular_damping = 1e-3, singular_pivot = 1e-2, friction_velocity = 0.02;
+  double singular_damping = 1e-3, singular_pivot = 1e-2, singular_task = 5e-3, friction_velocity = 0.02;
   std::string kernel = "auto";
   std::map<std::string, double> torque_limits;
 
@@ -410,6 +431,10 @@ struct ControlSettings {
       "Damping that keeps the joints' motion bounded where a leg is straight.");
     v(g.singular_pivot, "singular_pivot", "singular_pivot", "", must_be::kNotNegative, {},
       "Smallest pivot of a leg's equations below which that leg counts as straight.");
+    v(g.singular_task, "singular_task", "singular_task", "", must_be::kShare, {},
+      "How far a task of your own may be from impossible before it is met in part only: the motion that it asks for is "
+      "damped in directions in which the joints outside the legs move it by less than this share of its size. So it "
+      "stays bounded where an arm is stretched out. With 0 nothing is damped.");
     v(g.friction_velocity, "friction_velocity", "friction_velocity", "rad/s", must_be::kPositive, {},
       "Joint speed below which dry friction is taken as proportional to the speed, so that it does not jump where a "
       "joint turns around.");

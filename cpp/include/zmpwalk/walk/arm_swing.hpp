@@ -9,19 +9,19 @@
 
 namespace zmpwalk {
 
-/// Arms that swing against the yaw momentum of legs and trunk (an addition to the paper).
+/// Swings the arms against the yaw momentum (angular momentum about the vertical) of legs and trunk; an addition to the paper.
 ///
-/// With the row c of the yaw momentum, L_z = c dq, split into the swinging joints' part c_a dq_a and the rest,
-///     ddq_a = -c_a^+ dL_rest + k_d (-c_a^+ L_rest - dq_a) + k_p (q_ref - q_a):
-/// the arms cancel what the rest does while they keep their speed, bring L_z to zero at the rate k_d, and a soft spring k_p brings
-/// them home. Their limits are approached as a critically damped joint would.
+/// The row c of the yaw momentum, L_z = c dq, is split into the part of the swinging joints, c_a dq_a, and the rest. The arms get
+///     ddq_a = -c_a^+ dL_rest + k_d (-c_a^+ L_rest - dq_a) + k_p (q_ref - q_a).
+/// The first term cancels what the rest of the body does, the second brings L_z to zero at the rate k_d, and the third is a soft spring
+/// that brings the arms home. A joint that comes near to its limit is slowed down as a critically damped joint would be.
 class ArmSwing {
  public:
   /// @param settings resolved
   /// @throws InputError momentum_arms > 0 for a robot without arms, or without the posture task
   ArmSwing(const Robot& robot, const WalkSettings& settings);
 
-  bool on() const { return share_ > 0.0; }
+  bool on() const { return share_ > 0.0; }  ///< the settings ask for swinging arms
   /// Joints that `reference` names follow it and do not swing.
   void leave_to(const MotionReference& reference);
   /// Writes the accelerations of the swinging joints into `f_star.posture`. Allocates nothing.
@@ -33,9 +33,9 @@ class ArmSwing {
 
  private:
   double share_, kp_, kd_;
-  std::vector<int> arms_, swinging_;              // joint indices
-  std::vector<std::pair<double, double>> range_;  // of each joint
-  VecX c_;                                        // row of the yaw momentum
+  std::vector<int> arms_, swinging_;  // joints of the arms, and those of them that no motion names (indices)
+  std::vector<std::pair<double, double>> range_;  // lower and upper limit of each joint [rad]
+  VecX c_;                                        // row c of the yaw momentum (nv,)
 };
 
 }  // namespace zmpwalk

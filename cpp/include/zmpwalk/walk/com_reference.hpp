@@ -7,30 +7,31 @@
 
 namespace zmpwalk {
 
-/// What III-B and III-C decide in one cycle, in the support frame S unless said.
+/// What III-B and III-C decide in one cycle. Vectors are in the support frame S.
 struct Reference {
   Vec2 x_d = Vec2::Zero(), v_d = Vec2::Zero();  ///< desired COM state of the next cycle, (16) [m, m/s]
   Vec2 f = Vec2::Zero();                        ///< commanded COM acceleration, (8) [m/s^2]
   Vec2 zmp_des = Vec2::Zero();                  ///< desired ZMP [m]
   Vec2 zmp_ref = Vec2::Zero();                  ///< reference ZMP of the pendulum [m]
   Vec2 zmp_est = Vec2::Zero();                  ///< ZMP estimated for `f` [m]
-  Vec2 zmp_first = Vec2::Constant(kNaN);        ///< estimate of the first pass, meaningful on a modified axis [m]
-  Vec2 zmp_slope = Vec2::Zero();                ///< d zmp_est / d zmp_ref, each axis
-  Vec2 modified = Vec2::Zero();                 ///< -1 brought to the lower bound, +1 to the upper, 0 left alone
-  int iterations = 0;                           ///< passes of III-B
+  Vec2 zmp_first = Vec2::Constant(kNaN);        ///< estimated ZMP of the first pass, on an axis that III-B changes [m]
+  Vec2 zmp_slope = Vec2::Zero();                ///< d zmp_est / d zmp_ref of each axis
+  Vec2 modified =
+      Vec2::Zero();    ///< what III-B does on each axis: ZMP to the lower bound (-1) or upper (+1), or nothing (0)
+  int iterations = 0;  ///< passes of III-B
 };
 
-/// Velocity tracking with the estimated ZMP: from the desired velocity to the COM acceleration that the whole body is asked for.
+/// Chooses the horizontal acceleration of the COM, so that it follows the planned velocity while the estimated ZMP stays inside its bounds.
 ///
-/// In three steps. `track` asks the pendulum, or the planned velocity alone, for a COM state and acceleration. `want` says where the
-/// ZMP should be: as estimated for that acceleration, but inside its bounds, or on a bound while the bang-bang law drives. `modify`
-/// (III-B) finds the reference of the pendulum whose estimated ZMP is the desired one.
+/// `decide` does so in three steps. First it takes a COM state and acceleration from the pendulum, or from the planned velocity alone. Then it says where
+/// the ZMP should be: where it is estimated for that acceleration, but inside its bounds; or on a bound, while the tracker's law drives it there. At last
+/// (III-B) it finds the reference of the pendulum for which the estimated ZMP is the desired one.
 class ComReference {
  public:
   /// @param settings resolved
   explicit ComReference(const WalkSettings& settings);
 
-  /// Follows the pendulum of the COM height in force.
+  /// Takes the pendulum of the present height of the COM.
   void set_pendulum(const LinearInvertedPendulum& pendulum);
 
   /// @param whole_body prepared for this instant: it gives the ZMP of an acceleration. Allocates nothing.
@@ -38,7 +39,7 @@ class ComReference {
 
  private:
   struct Desired {     // what a reference ZMP leads to, in S
-    Vec2 x_d, v_d, f;  // next COM state (16), commanded acceleration (8)
+    Vec2 x_d, v_d, f;  // COM state of the next cycle (16), and commanded acceleration (8)
   };
   Desired under(const Vec2& r, const Cycle& cycle) const;
   /// The desired velocity is the planned one, along x; returns the reference ZMP that this takes without III-B.

@@ -2,7 +2,7 @@
 
 namespace zmpwalk {
 
-/// The one clock that a walk lives by: the time of the states it is given, whatever the rate of the calls.
+/// Says when a new torque is due. Its only clock is the time of the states that the walk is given, whatever the rate of the calls.
 class ControlClock {
  public:
   /// @param control_dt control period [s]
@@ -14,15 +14,15 @@ class ControlClock {
   void require_started() const;
   /// @throws InputError  a time that is not finite, or that lies before the last one. Changes nothing.
   void require(double time) const;
-  /// A control period has gone by since the last cycle.
+  /// True where a control period has gone by since the last cycle.
   bool due(double time) const;
-  /// A cycle is computed at `time`.
+  /// Notes that a cycle is computed at `time` [s].
   void tick(double time);
-  /// No cycle is computed at `time`.
+  /// Notes that no cycle is computed at `time` [s]: the last torque is held.
   void hold(double time) { last_ = time; }
 
-  long cycles() const { return cycles_; }                          ///< since the walk started
-  double since_start(double time) const { return time - start_; }  ///< [s]
+  long cycles() const { return cycles_; }                          ///< cycles computed since the walk started
+  double since_start(double time) const { return time - start_; }  ///< time since the walk started [s]
 
  private:
   double control_dt_;

@@ -7,14 +7,15 @@
 
 namespace zmpwalk {
 
-/// Says when a walk has become a fall, measured against how the robot stood at the start.
+/// Says whether the robot has fallen. It compares height, tilt of the trunk and tilt of the support sole with how the robot stood at the start.
 class FallWatch {
  public:
   explicit FallWatch(const WalkSettings& settings);
 
-  /// The walk starts here: the trunk upright as it is, the soles level as they are, the COM `com_height` over them [m].
+  /// The walk starts: as they are now, the trunk counts as upright and the soles as level. `R_HB` is the trunk's rotation in the heading frame,
+  /// `com_height` the height of the COM over the soles [m].
   void reset(const Dynamics& dynamics, const Mat3& R_HB, double com_height);
-  /// What the state of this instant is; kNone where the robot walks.
+  /// Why the state of this instant counts as a fall; kNone where it does not.
   Fall check(const Dynamics& dynamics, const GaitOutput& gait) const;
 
  private:

@@ -7,18 +7,19 @@
 
 namespace zmpwalk {
 
-/// How far the legs carry: which velocities they can walk, and how far the COM must come down for a stride.
+/// The reach of the legs: which velocities they can walk, and how far the COM must come down for a stride.
 ///
-/// A knee bends by at least `least_knee`: the longest leg is then l^2 = thigh^2 + shank^2 + 2 thigh shank cos(least_knee). With the hip
-/// h over the ankle it reaches sqrt(l^2 - h^2) along the ground, less what the ankle stands ahead of the hip already.
+/// A knee bends by at least `least_knee`, so that the longest leg has l^2 = thigh^2 + shank^2 + 2 thigh shank cos(least_knee). With the hip
+/// h over the ankle, the ankle can be sqrt(l^2 - h^2) ahead of or behind its hip. From that is taken how far the ankle is ahead of the hip
+/// in the start pose already.
 class LegReach {
  public:
   /// @param settings resolved   @param cadence how long steps take at a velocity
   LegReach(const Robot& robot, const WalkSettings& settings, const Cadence& cadence);
 
-  /// How far along the ground an ankle can be from below its hip, with the COM lowered by `crouch` [m] -> [m].
+  /// Longest distance, along the ground, of an ankle from the point below its hip when the COM is lowered by `crouch` [m] -> [m].
   double along_ground(double crouch) const;
-  /// How far walking with `velocity` (v_x, v_y, w_z) takes an ankle from below its hip [m].
+  /// Distance, along the ground, to which walking with `velocity` (v_x, v_y, w_z), H, takes an ankle from the point below its hip [m].
   ///
   /// In double support an ankle is v_x (T + T_ds)/2 ahead of or behind its hip, and at most |v_y| T beside it; T and T_ds are the
   /// cadence's for that velocity.
@@ -26,14 +27,14 @@ class LegReach {
   /// How far the COM has to come down for a stride [m] -> [m], at most `crouch_limit`.
   double crouch_for(double stride) const;
 
-  /// Share of the legs' reach that walking with `velocity` takes; beside 1 the knee is nearly straight, or the hip turned to its end.
+  /// Share of the reach that walking with `velocity` uses. At 1 a knee is as straight as `least_knee` allows, or a hip is turned to its limit.
   double share(const Vec3& velocity) const;
   /// `velocity`, made smaller until its `share` is at most 1.
   Vec3 within(const Vec3& velocity) const;
   /// Largest v_x within reach [m/s].
   double speed_limit() const { return within({kTooFast, 0.0, 0.0}).x(); }
 
-  /// @throws InputError a knot of `profile` asks for more than the legs reach: gives both, and what they reach
+  /// @throws InputError  a knot of `profile` is faster than the legs reach; the message gives that velocity and the fastest one in reach
   void require_within(const VelocityProfile& profile) const;
 
  private:

@@ -8,18 +8,18 @@
 
 namespace zmpwalk {
 
-/// Height of the COM over the middle of both sole centres [m]: z_c of (16) where the robot stands.
+/// Height of the COM over the middle between both sole centres [m]; where the robot stands, it is z_c of (16).
 double height_over_soles(const Dynamics& dynamics);
 
-/// The lengths, times and knee data that default settings scale with, for `robot` at its start pose.
+/// Lengths, times and data of the knee at the start pose of `robot`. The defaults of the settings scale with them.
 RobotScale scale_of(const Robot& robot);
 
-/// The sole that both feet stand for where feet must keep clear of each other: the longer length, the narrower width.
+/// The one size that the gait takes both soles to have: the longer length and the narrower width of the two.
 SoleSize common_sole(const RobotDescription& description);
 
-/// Where the ZMP may be in the sole of `side`: what sole and ankle torque allow, see `zmp_bounds`.
+/// Where the ZMP may be in the sole of `side`: what the share `sole_fraction` of it and the ankle's torque allow, see `zmp_bounds`.
 /// @throws InputError where nothing is left
-ZmpBounds bounds_of(const Robot& robot, Side side, const WalkSettings& settings);
+ZmpBounds bounds_of(const Robot& robot, Side side, const WalkSettings& settings, double sole_fraction);
 
 /// What the torque of `robot` keeps to. @param settings resolved
 RobotLimits limits_of(const Robot& robot, const WalkSettings& settings);

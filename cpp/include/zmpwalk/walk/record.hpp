@@ -15,7 +15,7 @@ namespace zmpwalk {
 enum class Fall : int { kNone = 0, kHeight, kTilt, kFootTipped, kNonFinite, kNoContact };
 std::string to_string(Fall fall);
 
-/// Everything one cycle decided; every number that a figure shows.
+/// Everything that one cycle decided. Every number that a figure shows is here.
 ///
 /// Unit, frame and meaning of each number stand once, in `visit_columns`.
 struct CycleOutput {
@@ -45,7 +45,7 @@ struct CycleOutput {
   bool fresh = false;  ///< This call computed the torque. It is no column: only fresh cycles are recorded.
 };
 
-/// A cycle as the recorder sees it once its step is done: what was decided, and what the simulation showed of it.
+/// A cycle as the recorder sees it after the physics step: what the cycle decided, and what the simulation then showed.
 struct RecordedCycle {
   const CycleOutput& out;
   Vec2 zmp_meas;
@@ -70,8 +70,8 @@ inline constexpr Parts kOne{1, ""}, kXy{2, "x y"}, kXyz{3, "x y z"}, kPlanar{3, 
 
 /// The one table of everything that is recorded: calls `v(name, get, parts, unit, frame, meaning)` for each column, in order.
 ///
-/// The recorder, the properties of CycleOutput in Python, the attributes of a Trace and docs/columns.md come from it. A new column is a
-/// member above and a row here, and is filled where it is decided. `get` reads a CycleOutput, or a RecordedCycle where the column is known
+/// The recorder, the properties of CycleOutput in Python, the attributes of a Trace and docs/columns.md are made from it. A new column is a
+/// member above and a row here; the line that decides its value fills it. `get` reads a CycleOutput, or a RecordedCycle where the value is known
 /// only after the step; see `column_value`. Frames are those of NOTATION. The meaning is one sentence that stands alone.
 template <class Visitor>
 void visit_columns(Visitor&& v) {

@@ -31,75 +31,75 @@
 
 namespace zmpwalk {
 
-/// Where a cycle takes kinematics, inertia and bias forces from.
+/// Says from where a cycle takes kinematics, inertia and bias forces.
 enum class Terms {
-  kCompute,  ///< computes them from the state
-  kInData    ///< `data` holds them: mj_step1 or mj_forward has just run for this state
+  kCompute,  ///< the cycle computes them from the state
+  kInData    ///< `data` holds them already: mj_step1 or mj_forward has just run for this state
 };
 
-/// One `update(state) -> CycleOutput` per control cycle: state in, torque out.
+/// The walking controller: in each control cycle, `update(state)` takes the state of the robot and gives the joint torques.
 ///
-/// It conducts and decides nothing itself. Each cycle asks the gait where to go, turns the desired ZMP into a desired COM state (16),
-/// computes the torque that realises it (1)-(8), estimates the ZMP of that torque (9)-(15), and corrects the reference until both
-/// agree (III-B). A state is plain numbers; where it comes from a simulator, `update(data)` reads it and writes the torque.
+/// It calls the other parts in order and decides nothing itself. Each cycle asks the gait where to go, turns the desired ZMP into a desired COM
+/// state (16), computes the torque that leads there (1)-(8), estimates the ZMP of that torque (9)-(15), and corrects the reference until the
+/// estimate is the desired ZMP (III-B). A state is plain numbers; `update(data)` reads it from a simulator and writes the torque there.
 class WalkingController {
  public:
-  /// @param model must outlive the controller: what the controller believes about the robot, which may differ from the robot it walks
-  /// @throws ModelError, InputError (settings, a profile faster than the legs reach)
+  /// @param model what the controller believes about the robot, which may differ from the robot that it walks; it must outlive the controller
+  /// @throws ModelError  the robot cannot walk. InputError  a setting breaks its rule, or the profile is faster than the legs reach
   WalkingController(const mjModel* model, const RobotDescription& description,
                     const WalkSettings& settings = WalkSettings(),
                     const VelocityProfile& profile = VelocityProfile::paper());
   WalkingController(const WalkingController&) = delete;
   WalkingController& operator=(const WalkingController&) = delete;
 
-  /// Starts a walk from `state`; moves nothing. @throws InputError the state is not finite, DimensionError
+  /// Starts a walk from `state`, and moves nothing yet. @throws InputError  the state is not finite. DimensionError
   void reset(const State& state);
   /// The same for the state in `data`.
   void reset(const mjData* data);
 
-  /// The torque for `state`, in `output().tau`; nothing outside the controller changes.
+  /// Computes the torque for `state` and returns it as `tau` of the output. Nothing outside the controller changes.
   ///
-  /// A new torque is computed when a control period has gone by since the last, by `state.time`; until then the last one is held.
-  /// @throws InputError the state is not finite, its time is not, or has gone back; reset was never called. DimensionError.
+  /// A new torque is computed when, by `state.time`, a control period has gone by since the last one; until then the last torque is held.
+  /// @throws InputError  the state or its time is not finite, the time has gone back, or reset was never called. DimensionError.
   ///         Nothing is changed then. Allocates nothing.
   const CycleOutput& update(const State& state);
-  /// The same for the state in `data`, in which it sets the control that gives the torque.
+  /// Does the same for the state in `data`, and writes into `data` the control that gives the torque.
   ///
-  /// With Terms::kInData nothing is computed twice; the torque has the same bits.
-  /// @param sensed  what is felt or known beside position and velocity. Contacts that it leaves unknown are read from `data` with
-  ///                Terms::kCompute, where the last step has left them, if `touch_down` asks for them.
-  /// @throws as above, and InputError where the terms in `data` belong to another state
+  /// With Terms::kInData nothing is computed twice, and the torque has the same bits.
+  /// @param sensed  what is measured or known beside position and velocity. If the setting `touch_down` needs contacts that it leaves unknown, they
+  ///                are read from `data` with Terms::kCompute, where the last step has left them.
+  /// @throws as above, and InputError  the terms in `data` belong to another state
   const CycleOutput& update(mjData* data, Terms terms = Terms::kCompute, const Sensed& sensed = Sensed());
 
-  /// From the next cycle on, walk with this velocity in the heading frame instead of the profile's; until `reset`.
+  /// Commands a velocity: from the next cycle on the robot walks with it instead of the profile's, until `reset`.
   ///
-  /// May be called from any thread, while another updates. What the legs cannot reach is scaled down to `reach().within`; how fast
-  /// the robot takes it up is limited (`forward_acceleration`, ...).
-  /// @param velocity (v_x, v_y, w_z) [m/s, m/s, rad/s]. @throws InputError not finite
+  /// It may be called from any thread, also while another one calls `update`. A velocity that the legs cannot reach is scaled down
+  /// (`reach().within`), and the robot takes it up no faster than `forward_acceleration` and the other settings of the group `rate` allow.
+  /// @param velocity (v_x, v_y, w_z) in the heading frame H [m/s, m/s, rad/s]. @throws InputError  it is not finite
   void command(const Vec3& velocity);
 
-  /// Joints outside the legs, and the trunk, follow `motion` from the last cycle on: `BodyMotion::follow`. `reset` begins the motion anew.
-  /// Call it between cycles. @throws as there; nothing is changed then
+  /// Lets joints outside the legs, and the trunk, follow `motion` from the last cycle on (`BodyMotion::follow`). `reset` begins the motion anew.
+  /// Call it between cycles. @throws as `BodyMotion::follow`; nothing is changed then
   void move(const JointMotion& motion);
   const JointMotion& motion() const { return body_.motion(); }
 
-  /// The phase under way at the last cycle ends `remaining` [s] after that cycle; see `GaitGenerator::retime`. Call it between cycles.
+  /// Lets the phase of the last cycle end `remaining` [s] after that cycle; see `GaitGenerator::retime`. Call it between cycles.
   /// @throws InputError  `remaining` is not finite and > 0
   void retime(double remaining) { gait_.retime(remaining); }
 
-  /// From the next cycle on, `task` is met while the robot walks, its effect rising from nothing within `blend`; it outlives `reset`.
+  /// Adds a task that the robot fulfils while it walks. Its effect rises from nothing within `blend`, from the next cycle on; `reset` keeps the task.
   ///
-  /// It acts with the joints outside the legs, in what tasks of smaller `priority` leave free; the posture takes the rest. Call it between cycles.
+  /// The task moves the joints outside the legs, and uses what tasks of smaller `priority` leave free. The posture gets the rest. Call it between cycles.
   /// @param blend [s]; NaN takes the setting `motion_blend`
-  /// @throws InputError  a name that the robot does not have, a task that is there already, a weight outside 0 to 1, settings that
-  ///         leave the direct path (textbook, posture_task, wrench_distribution). Nothing is changed then.
+  /// @throws InputError  the robot has no such name, the task was added already, its weight is outside 0 to 1, or the settings leave the direct
+  ///         path (textbook, posture_task, wrench_distribution). Nothing is changed then.
   void add(const std::shared_ptr<Task>& task, double blend = kNaN);
-  /// The task loses its effect within `blend` [s], NaN as above. Call it between cycles. @throws InputError  it is not there
+  /// Takes the task away: it loses its effect within `blend` [s], NaN as above. Call it between cycles. @throws InputError  it was not added
   void remove(const Task& task, double blend = kNaN);
   const TaskStack& added_tasks() const { return added_; }
   /// Control cycles since the last reset.
   long cycles() const { return clock_.cycles(); }
-  /// Index of the frame of a body or site of the robot, where known forces may act: `Robot::watch`. Call it between cycles.
+  /// Index of the frame of a body or site, at which a known force may act (`Robot::watch`). Call it between cycles.
   int watch(const std::string& name);
 
   const CycleOutput& output() const { return out_; }
@@ -113,17 +113,19 @@ class WalkingController {
   const LimitKeeper& limits() const { return limits_; }
   const VelocityProfile& profile() const { return profile_; }
   const Robot& robot() const { return robot_; }
-  const LegReach& reach() const { return reach_; }                    ///< which velocities the legs can walk
-  double com_height() const { return height_.z_c(); }                 ///< z_c over the soles [m]
-  double Tc() const { return height_.pendulum().Tc(); }               ///< [s]
-  const ZmpBounds& bounds(Side side) const { return bounds_[side]; }  ///< in the sole's axes, about its centre
+  const LegReach& reach() const { return reach_; }       ///< says which velocities the legs can walk
+  double com_height() const { return height_.z_c(); }    ///< z_c over the soles [m]
+  double Tc() const { return height_.pendulum().Tc(); }  ///< time constant of the pendulum [s]
+  /// Bounds of the ZMP, in the sole's axes about its centre.
+  const ZmpBounds& bounds(Side side) const { return bounds_[side]; }
 
   /// Share of the knee's torque limit that its own rotor and damping take at lift-off when walking at `speed` [m/s]; see `zmpwalk::knee_share`.
   double knee_share(double speed) const;
-  /// Largest difference between the speed of a footstep list and of the profile within `duration` [s]; 0 where steps follow the profile [m/s].
+  /// Largest difference between the speed of a list of footsteps and that of the profile within `duration` [s] -> [m/s]; 0 where the steps follow
+  /// the profile.
   double plan_mismatch(double duration) const;
-  /// Footsteps, COM and ZMP ahead of time, from where the last reset was, else from the start pose.
-  /// @param duration [s]   @param dt time step of the plan [s]. @throws InputError not finite and > 0
+  /// Computes footsteps, COM and ZMP of the walk ahead of time, from the state of the last reset; before any reset, from the start pose.
+  /// @param duration [s]   @param dt time step of the plan [s]. @throws InputError  one of them is not finite and > 0
   WalkPlan plan(double duration, double dt) const;
 
  private:
@@ -134,8 +136,9 @@ class WalkingController {
   void start();                               // a walk begins with the dynamics of this instant
   void feel(const MeasuredContact& contact);  // where the state does not know better
   void cycle(const State& state);
+  void follow_pendulum();  // gait and reference take that of the COM's height and of the known forces
   void command_tasks(const Cycle& cycle);
-  void decide_reference(const Cycle& cycle, const Vec2& shift);
+  void decide_reference(const Cycle& cycle);
   void limit_torque(const GaitOutput& gait);
   void cut_torque(const GaitOutput& gait);
   void note(const Cycle& cycle);  // into the output

@@ -6,13 +6,15 @@
 
 namespace zmpwalk {
 
-/// Where the ZMP may go, as a rectangle in the axes of a sole, about the sole's centre (2,) [m]: x forward, y left.
+/// The rectangle in which the zero moment point (ZMP) is to stay, in the axes of a sole about its centre (2,) [m]: x forward, y left.
 struct ZmpBounds {
   Vec2 lower = Vec2::Zero();
   Vec2 upper = Vec2::Zero();
 
+  /// The point of the rectangle that is nearest to `zmp`.
   Vec2 clamp(const Vec2& zmp) const { return zmp.cwiseMax(lower).cwiseMin(upper); }
-  /// Two standing feet: sideways the ZMP may also be within the other foot's bounds, `across` from this sole [m], or between.
+  /// The bounds for two standing feet: sideways the ZMP may also be between the soles, or within the bounds of the other foot, whose sole
+  /// centre is `across` to the left of this one [m].
   ZmpBounds widened(const ZmpBounds& other, double across) const {
     ZmpBounds out = *this;
     out.lower.y() = std::min(lower.y(), across + other.lower.y());
@@ -21,7 +23,7 @@ struct ZmpBounds {
   }
 };
 
-/// Sole and ankle of one foot, as far as the ZMP cares.
+/// What limits the ZMP under one foot: the size of the sole, and the torque of the ankle.
 struct SoleLimits {
   double length = 0.0;        ///< of the sole [m]
   double width = 0.0;         ///< of the sole [m]
@@ -30,10 +32,10 @@ struct SoleLimits {
   double roll_torque = 0.0;   ///< limit of the ankle's roll joint [N m]; infinity for none
 };
 
-/// Designed bounds: the sole shrunk to `sole_fraction`, cut with what the ankle can hold, p_ankle +- `torque_fraction` tau_max / (m g).
+/// Bounds of the ZMP in one sole: `sole_fraction` of length and width, cut to what the ankle can hold, p_ankle +- `torque_fraction` tau_max / (m g).
 ///
 /// @param weight m g [N]
-/// @throws InputError where nothing is left: the message gives the numbers
+/// @throws InputError  sole and ankle leave no place for the ZMP; the message gives the numbers
 ZmpBounds zmp_bounds(const SoleLimits& sole, double weight, double sole_fraction, double torque_fraction);
 
 }  // namespace zmpwalk

@@ -8,7 +8,7 @@ namespace zmpwalk {
 
 /// A foot on the ground: where its sole is, what it stands on, and how large and how rough it is.
 ///
-/// A NaN size or friction is unknown: nothing here but `can_carry` asks for them.
+/// Size and friction may be NaN, which means unknown; only `can_carry` needs them.
 struct Contact {
   Vec3 p_WF = Vec3::Zero();      ///< sole centre in W [m]
   Mat3 R_WF = Mat3::Identity();  ///< sole axes in W: x forward, z out of the ground
@@ -18,14 +18,14 @@ struct Contact {
   double width = kNaN;           ///< of the sole along its y [m]
   double friction = kNaN;        ///< tangential force per normal force that does not slip yet
 
-  /// World x and y of the point of the sole that is `p_F` (2,) from its centre in the sole's axes [m]. ZMP bounds, which are
-  /// stated in the sole's axes, are recorded so.
+  /// World x and y of the point of the sole that is `p_F` (2,) from its centre, in the sole's axes [m]. Bounds of the ZMP are given in the
+  /// sole's axes and are recorded like this.
   Vec2 to_world(const Vec2& p_F) const;
-  /// The inverse: the point of the sole plane with world x and y `p`, from the sole's centre in the sole's axes (2,) [m].
+  /// The inverse: where the point of the sole plane with world x and y `p` is from the sole's centre, in the sole's axes (2,) [m].
   Vec2 to_sole(const Vec2& p) const;
-  /// Centre of pressure of a wrench on this sole, from its centre in the sole's axes (2,) [m].
+  /// Centre of pressure of a wrench on this sole, from the sole's centre in the sole's axes (2,) [m].
   ///
-  /// @param f  force, then moment about the sole's centre (6,), world axes [N, N m]; either sign
+  /// @param f  force, then moment about the sole's centre (6,), world axes [N, N m]; of the robot on the ground or the reverse
   Vec2 cop(const Vec6& f) const;
   /// True where the sole can give this wrench: it is pressed onto the ground, its centre of pressure is on it, and the force along
   /// it is within its friction.

@@ -6,7 +6,7 @@
 
 namespace zmpwalk {
 
-/// Below this normal force there is no contact and no ZMP [N].
+/// A normal force below this one counts as no contact, and has no ZMP [N].
 inline constexpr double kMinNormalForce = 1.0;
 
 /// Force and moment about one point.
@@ -15,9 +15,11 @@ struct Wrench {
   Vec3 M = Vec3::Zero();  ///< [N m]
 };
 
-/// Total of the feet's wrenches about the point `s`, world axes. `c` are the sole centres; NaN feet are left out.
+/// Sum of the wrenches of both feet, about the point `s`, world axes. `f_c` (12,) holds force and moment at each sole centre `c`; a foot whose
+/// entries are NaN is left out.
 Wrench total_wrench(const Vec12& f_c, const std::array<Vec3, 2>& c, const Vec3& s);
 
+/// What a torque will do to the ground.
 struct ZmpEstimate {
   Vec2 zmp = Vec2::Constant(kNaN);  ///< world x and y, on the common plane of the standing feet [m]
   Vec12 f_c = Vec12::Constant(
@@ -25,13 +27,13 @@ struct ZmpEstimate {
   bool in_contact = false;  ///< the force along the plane's normal is at least kMinNormalForce
 };
 
-/// Eq. 9-15: the ZMP that a torque will produce, before it is sent. One or two standing feet.
+/// Estimates the ZMP that a torque will produce, before it is sent (eq. 9-15), with one or two standing feet.
 class ZmpEstimator {
  public:
   /// @param nv velocity coordinates
   explicit ZmpEstimator(int nv);
 
-  /// Takes the state of one instant; nothing else is needed for any number of torques.
+  /// Takes the state of one instant; after that `estimate` works for any number of torques.
   ///
   /// @param A (nv, nv), b, g (nv,)  inertia, velocity and gravity terms
   /// @param J_c (6 k, nv), drift_c (6 k,)  of the k standing feet, left before right, at their sole centres

@@ -9,7 +9,7 @@ struct Plane {
   Vec3 normal = Vec3::UnitZ();  ///< of length 1, pointing out of the ground: normal.z() > 0
   double offset = 0.0;          ///< distance of the plane from the world's origin along the normal [m]
 
-  /// The plane through `p` with that normal; a level one without.
+  /// The plane through `p` with this normal; without a normal, the level plane.
   static Plane through(const Vec3& p, const Vec3& normal = Vec3::UnitZ()) { return {normal, normal.dot(p)}; }
 
   /// Distance of `p` from the plane, positive above it [m].

@@ -4,22 +4,24 @@
 
 namespace zmpwalk {
 
-/// What III-B ends with.
+/// What III-B ends with: the reference ZMP for the pendulum, and how good it is.
 struct ReferenceResult {
-  Vec2 zmp_ref = Vec2::Zero();  ///< reference of the pendulum (16)
-  Vec2 zmp_est = Vec2::Zero();  ///< estimate it leads to
+  Vec2 zmp_ref = Vec2::Zero();  ///< reference ZMP of the pendulum (16) [m]
+  Vec2 zmp_est = Vec2::Zero();  ///< estimated ZMP that this reference leads to [m]
   int passes = 0;               ///< estimates computed
   bool converged = false;       ///< |zmp_des - zmp_est| < threshold on every axis asked for
 };
 
-/// The loop of III-B: r_ref <- r_ref + r_des - r_est(r_ref) until they agree (Fig. 2).
+/// The loop of III-B: it adds r_des - r_est(r_ref) to the reference r_ref, until the estimate r_est is the desired ZMP r_des (Fig. 2).
+///
+/// All ZMPs are in one frame, whichever the caller takes.
 ///
 /// @param estimate  callable Vec2 r_ref -> Vec2 r_est [m]: (16), (7), (9), (14), (15)
 /// @param zmp_des   desired ZMP [m]
-/// @param r_ref     where to start on the axes that are not asked for; the others start at zmp_des
-/// @param axes      1 where an axis is asked for, else 0
-/// @param threshold [m]; the paper's is 0.001
-/// @param max_passes bound of the loop
+/// @param r_ref     reference on the axes that are to stay as they are; the others start at zmp_des
+/// @param axes      1 for an axis that is to be changed, else 0
+/// @param threshold largest |r_des - r_est| that is good enough [m]; the paper's is 0.001
+/// @param max_passes most passes of the loop
 template <class Estimate>
 ReferenceResult iterate_reference(Estimate&& estimate, const Vec2& zmp_des, const Vec2& r_ref, const Vec2& axes,
                                   double threshold, int max_passes) {
@@ -36,9 +38,9 @@ ReferenceResult iterate_reference(Estimate&& estimate, const Vec2& zmp_des, cons
   return out;
 }
 
-/// The fixed point of that loop in closed form, for an estimate that is affine in the reference.
+/// Where that loop ends, in closed form, for an estimate that is affine in the reference.
 ///
-/// r_ref = r_des + slope^-1 (r_des - r_est(r_des)) on the axes asked for. Two estimates; the second confirms.
+/// r_ref = r_des + slope^-1 (r_des - r_est(r_des)) on the axes that are to be changed. It takes two estimates; the second one confirms the result.
 /// @param slope d r_est / d r_ref (2, 2)
 template <class Estimate>
 ReferenceResult solve_reference(Estimate&& estimate, const Vec2& zmp_des, const Vec2& r_ref, const Vec2& axes,

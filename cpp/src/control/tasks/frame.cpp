@@ -3,7 +3,7 @@
 #include "zmpwalk/math/error.hpp"
 
 namespace zmpwalk {
-/// Its pose and motion, and how its acceleration follows from ddq: of its origin and of its axes.
+/// Pose and velocity of that frame, and how the acceleration of its origin and of its axes follows from ddq.
 struct FrameTask::Carrier {
   Carrier(RelativeTo relative_to, const TaskInput& in) {
     const Dynamics& dyn = in.dynamics;

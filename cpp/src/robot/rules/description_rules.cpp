@@ -74,7 +74,7 @@ void add_description(const mjModel* m, const RobotDescription& description, int 
     }
   for (const int j : strangers)
     out.push_back({"names", "joint " + label(m, mjOBJ_JOINT, j) +
-                                " is none of this robot's; take it out of start pose and torque limits"});
+                                " does not belong to this robot; take it out of start pose and torque limits"});
   if (!description.stand_base_pos.allFinite() || !(std::abs(description.stand_base_quat.norm() - 1.0) < 1e-3))
     out.push_back({"stand", "the start pose's base is not a position and a unit quaternion (w, x, y, z)"});
 }

@@ -10,7 +10,7 @@
 namespace zmpwalk {
 namespace {
 
-// Smaller soles are point feet: shares of the leg, hip to foot along its bones.
+// A sole that is smaller than these shares of the leg (from hip to foot along its bones) is a point foot.
 constexpr double kLeastLength = 0.1, kLeastWidth = 0.04;
 
 /// A joint pitches the foot where its axis has at least this much along the robot's left, and rolls it where along its forward.
@@ -41,7 +41,7 @@ double bones(const mjModel* m, const LegParts& leg, const LegParts& other) {
   return below_joint;
 }
 
-/// Where the joints are that a leg lacks: listed by nobody above the foot, or below the body that the sole was found on.
+/// Says where the joints may be that a leg lacks: above the foot, where the description lists them for no leg, or below the body of the sole.
 std::string lacking(const mjModel* m, const LegParts& leg, const LegParts& other) {
   if (other.foot < 0) return "";
   std::vector<int> above;

@@ -13,8 +13,8 @@
 namespace zmpwalk {
 namespace {
 
-constexpr double kStandTilt = 0.02;     // of a sole [rad]
-constexpr double kStandHeight = 0.005;  // of a sole over the ground [m]
+constexpr double kStandTilt = 0.02;     // largest tilt of a sole in the start pose [rad]
+constexpr double kStandHeight = 0.005;  // largest height of a sole over the ground in the start pose [m]
 /// Least over largest singular value of a leg's Jacobian, lengths in units of the leg.
 constexpr double kLeastMobility = 1e-3;
 
@@ -46,7 +46,7 @@ void add_leg_at_stand(const Robot& robot, Side side, Reasons& out) {
   if (tilt > kStandTilt || std::abs(height) > kStandHeight) {
     out.push_back({"stand", "at the start pose the " + which + " sole is tilted by " + number(tilt) + " rad and " +
                                 number(height) + " m over the ground; both soles must lie flat on z = 0"});
-    if (tilt > kStandTilt) return;  // its axes are those of no sole that stands
+    if (tilt > kStandTilt) return;  // the directions of its axes say nothing while the sole is not level
   }
   const std::size_t before = out.size();
   const std::string leg = "the " + which + " leg (" + joint_names(robot, side) + ")";

@@ -11,10 +11,10 @@
 namespace zmpwalk {
 namespace {
 
-/// By how much a coupling may be off at the start pose [rad or m].
+/// Largest error of a coupling at the start pose [rad or m].
 constexpr double kCouplingTolerance = 1e-3;
 
-/// Share of the weight that gravity compensation, which pulls the bodies up, may take: the pendulum is planned with all of it.
+/// Largest share of the weight that gravity compensation may carry. It pulls the bodies up, while the pendulum is planned with the whole weight.
 constexpr double kMostCompensation = 0.3;
 
 /// The robot in its model, as these rules ask for it.
@@ -155,10 +155,10 @@ void add_bodies(const Looked& at, Reasons& out) {
   if (std::abs(lifted) > kMostCompensation)
     out.push_back({"body", "gravity compensation (gravcomp) lifts " + number(100.0 * lifted) +
                                " % of the robot's weight; more than " + number(100.0 * kMostCompensation) +
-                               " % is no walk on feet"});
+                               " % leaves the feet too little to walk on"});
 }
 
-/// Off by: y - y0 - polynomial(x - x0), as MuJoCo couples two joints or tendons.
+/// Error of a coupling, y - y0 - polynomial(x - x0), as MuJoCo couples two joints or tendons.
 double coupling_error(const mjtNum* poly, double y, double x) {
   return y - (poly[0] + x * (poly[1] + x * (poly[2] + x * (poly[3] + x * poly[4]))));
 }

@@ -120,13 +120,14 @@ def appraise(model: mujoco.MjModel, description: RobotDescription, remarks: list
 
 
 def _controller(model: mujoco.MjModel, description: RobotDescription, speed: float) -> _core.WalkingController:
-    """The controller of a walk that comes up to `speed` [m/s] in 10 s."""
+    """A controller for a walk that reaches `speed` [m/s] in 10 s."""
     ramp = _core.VelocityProfile([0.0, 10.0], np.array([[0.0, 0.0, 0.0], [speed, 0.0, 0.0]]), "linear")
     return _core.WalkingController(model, description, settings=_core.WalkSettings(), profile=ramp)
 
 
 def is_marked(model: mujoco.MjModel) -> bool:
-    """The model has box sites `left_sole` and `right_sole` and a keyframe `stand`: nothing needs proposing.
+    """True where the model has box sites `left_sole` and `right_sole` and a keyframe `stand`, so that nothing has to
+    be guessed.
 
     Usage: `is_marked(model) or propose(model).remarks`
     """

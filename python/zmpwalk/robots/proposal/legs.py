@@ -88,7 +88,8 @@ def _find_legs(tree: Tree, data: mujoco.MjData) -> Found:
 
 
 def _leg(tree: Tree, data: mujoco.MjData, low: list[int], trunk: list[int], geoms: dict) -> Side:
-    """The foot is the highest low link; one below it only where the sixth joint comes there, and most of the sole."""
+    """Finds a leg. Its foot is the highest of the links near the ground; a link below it is taken only if the sixth
+    joint is there, and most of the sole."""
     options = []
     for link in low:
         side = Side(link, tree.joints(link, trunk))

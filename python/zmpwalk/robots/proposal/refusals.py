@@ -1,4 +1,4 @@
-"""What keeps a robot from walking, each a line: wheels, which only a search for legs meets, and the rules of the model.
+"""Says what keeps a robot from walking, a line for each reason: wheels, and the rules of the model.
 
 The rules themselves are `_core.model_reasons`; nothing here states one again.
 """
@@ -16,7 +16,7 @@ from .tree import GEOM, JNT, Found, Tree, body_label
 
 
 def refuse(reasons: Iterable[str]) -> None:
-    """Nothing where there is no reason.
+    """Does nothing where there is no reason.
 
     Raises:
         ModelError: with all reasons.
@@ -27,7 +27,7 @@ def refuse(reasons: Iterable[str]) -> None:
 
 
 def wheels(tree: Tree, data: mujoco.MjData, link: int, geoms: dict[int, list[int]]) -> Iterator[str]:
-    """A round geom that its own unlimited joint spins about a level axis through its centre."""
+    """Finds a round geom that its own unlimited joint spins about a level axis through its centre: a wheel."""
     model = tree.model
     j = int(model.body_jntadr[link] + model.body_jntnum[link] - 1)
     if model.body_jntnum[link] == 0 or model.jnt_type[j] != JNT.mjJNT_HINGE or model.jnt_limited[j]:
@@ -43,7 +43,7 @@ def wheels(tree: Tree, data: mujoco.MjData, link: int, geoms: dict[int, list[int
 
 
 def of_robot(robot: Found, upright: bool = False) -> list[tuple[str, str]]:
-    """What the model's rules say of a robot that was found: (rule, sentence) pairs.
+    """Reasons that the model's rules give for a robot that was found: (rule, sentence) pairs.
 
     Args:
         upright: left, right, forward and soles are known by now: look at them too.

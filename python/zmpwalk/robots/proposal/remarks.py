@@ -1,4 +1,4 @@
-"""Remarks on any description: what may keep the robot from walking, or surprise."""
+"""Remarks on a description: what may keep the robot from walking, or may surprise its user."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ HEAVY_ROTOR = 0.65  # share of the knee's torque from which it saturates
 
 
 def find_remarks(model: mujoco.MjModel, description: RobotDescription) -> list[str]:
-    """What may keep a robot from walking, or surprise: torque, floor, contacts with itself, springs of tendons."""
+    """Remarks on torque limits, the floor, contacts of the robot with itself, and springs of tendons."""
     remarks = []
     data = mujoco.MjData(model)
     description.place(model, data)
@@ -97,7 +97,7 @@ def remark_usual_walk(
     speed: float,
     refusal: str,
 ) -> list[str]:
-    """What a usual walk asks of short legs, hips and heavy rotors.
+    """Remarks on what a usual walk asks of short legs, weak hips and heavy rotors.
 
     Args:
         model, description: of the robot.

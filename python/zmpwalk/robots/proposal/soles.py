@@ -100,7 +100,7 @@ def fit_sole(robot: Found, side: Side) -> None:
 
 
 def remark_soles(robot: Found) -> None:
-    """Soles that differ, that are no rectangles, not level, or in two parts."""
+    """Remarks on soles that differ, are no rectangles, are not level, or consist of two parts."""
     model, data, (a, b) = robot.tree.model, robot.data, robot.sides
     if max(abs(a.length - b.length), abs(a.width - b.width)) > 0.02 * a.length:
         robot.remarks.append(

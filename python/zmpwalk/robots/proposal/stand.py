@@ -118,7 +118,7 @@ def _outside(robot: Found, data: mujoco.MjData) -> list[int]:
 
 
 def _clip(robot: Found, data: mujoco.MjData) -> None:
-    """Into the joints' ranges, a little inside; legs are bent later."""
+    """Brings joints into their ranges, a little inside. Legs are bent later."""
     legs = [j for side in robot.sides for j in side.joints]
     outside = [j for j in _outside(robot, data) if j not in legs]
     if outside:
@@ -130,7 +130,7 @@ def _clip(robot: Found, data: mujoco.MjData) -> None:
 
 
 def _lower_arms(robot: Found, data: mujoco.MjData) -> None:
-    """Arms that are held out, as in many zero poses, are let down by the one shoulder joint that does it best."""
+    """Lets down arms that are held out, as in many zero poses, by the one shoulder joint that does it best."""
     model, tree = robot.tree.model, robot.tree
     legs = {link for side in robot.sides for link in tree.chain(side.link)}
     for shoulder in tree.limbs(legs):
@@ -168,7 +168,8 @@ def _lower_arms(robot: Found, data: mujoco.MjData) -> None:
 
 
 def _bend(robot: Found, data: mujoco.MjData, distance: float) -> None:
-    """Legs bent to `BENT` of their length, soles level, `distance` apart, COM over their middle; the base stays.
+    """Bends the legs to `BENT` of their length, with level soles `distance` apart and the COM over their middle. The
+    base stays.
 
     Raises:
         ModelError: the joints' ranges do not let it.
@@ -250,7 +251,7 @@ def _reach(model: mujoco.MjModel, data: mujoco.MjData, side: Side, centre: np.nd
 
 
 def _put_on_ground(robot: Found, data: mujoco.MjData) -> None:
-    """The middle of the soles goes to z = 0, below where the base is at `qpos0`."""
+    """Moves the robot so that the middle between its soles is at z = 0, below the place of the base at `qpos0`."""
     model = robot.tree.model
     root = int(model.jnt_qposadr[model.body_jntadr[robot.tree.root]])
     _forward(model, data)

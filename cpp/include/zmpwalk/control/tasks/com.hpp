@@ -5,7 +5,7 @@
 
 namespace zmpwalk {
 
-/// The COM follows a point, three rows in W. Walking takes its vertical row from here; the horizontal ones are chosen by III-B.
+/// The centre of mass (COM) follows a point; three rows in W. A walk takes only the vertical row from here: III-B chooses the horizontal ones.
 struct ComTask : Task {
   Vec3 p = Vec3::Zero();   ///< reference [m]
   Vec3 v = Vec3::Zero();   ///< [m/s]

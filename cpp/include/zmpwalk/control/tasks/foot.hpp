@@ -5,7 +5,7 @@
 
 namespace zmpwalk {
 
-/// The sole of the swing foot follows a pose, six rows.
+/// The sole of the swing foot follows a pose; six rows.
 struct FootTask : Task {
   Side side = kLeft;
   PoseReference reference;  ///< W

@@ -9,21 +9,21 @@
 
 namespace zmpwalk {
 
-/// Which rows of a frame's pose a task takes.
+/// Which part of a frame's pose a task controls.
 enum class FramePart { kPosition, kOrientation, kPose };
 
-/// In which frame a reference is given, so that it moves along with the robot, or does not.
+/// The frame in which a reference is given. It decides whether the reference moves along with the robot.
 enum class RelativeTo {
   kWorld,  ///< W
   kWalk,   ///< origin at the COM, x along the walk's heading, z up
   kTrunk   ///< the base's own frame
 };
 
-/// A frame of the robot, that of a body or a site, follows a pose.
+/// A frame of the robot (of a body or of a site) follows a pose.
 ///
-/// The reference is constant (`set`), set anew in any cycle with its velocity and acceleration (`set`), or a function of time (`follow`);
-/// without any, the frame stays where the task begins. The task begins without a jump: its reference starts at the frame's pose and
-/// velocity, and goes over into the one that was given within the blend time (a quintic).
+/// The reference is constant (`set` once), changes from cycle to cycle with its velocity and acceleration (`set` in each), or is a function of time
+/// (`follow`). Without a reference the frame stays where it is when the task begins. The task begins without a jump: its reference starts at
+/// the frame's pose and velocity, and goes over into the given one within the blend time, along a quintic.
 class FrameTask : public Task {
  public:
   /// @param frame  name of a body or site   @param kp [1/s^2]  @param kd [1/s]
@@ -35,7 +35,7 @@ class FrameTask : public Task {
   void set(const PoseReference& reference);
   /// The reference is a function of the time since the task began [s].
   void follow(std::function<PoseReference(double)> reference) { function_ = std::move(reference); }
-  /// As of the last cycle, in the frame that it is relative to.
+  /// The reference of the last cycle, in the frame to which it is relative.
   const PoseReference& reference() const { return reference_; }
 
   int rows() const override { return part_ == FramePart::kPose ? 6 : 3; }

@@ -9,10 +9,11 @@
 
 namespace zmpwalk {
 
-/// Joints outside the legs follow references; before tasks of larger numbers, and before the posture.
+/// Joints outside the legs follow references, one row each.
 ///
-/// The references are constant or set anew in any cycle (`set`), or functions of time (`follow`); without any, the joints stay where the
-/// task begins. They start at the joints' positions and speeds, and go over into those that were given within the blend time.
+/// The references are constant or change from cycle to cycle (`set`), or are functions of time (`follow`). Without references the joints stay where
+/// they are when the task begins. The task begins without a jump: the references start at the joints' positions and speeds, and go over into
+/// the given ones within the blend time.
 class JointTask : public Task {
  public:
   /// @param joints names   @param kp [1/s^2]  @param kd [1/s]

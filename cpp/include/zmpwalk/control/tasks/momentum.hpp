@@ -4,11 +4,11 @@
 
 namespace zmpwalk {
 
-/// The angular momentum L about the COM is brought to that of turning as the walk turns: about the vertical alone, or about all axes.
+/// Keeps the angular momentum L about the COM small: about the vertical alone, or about all three axes.
 ///
-/// L = C dq, f* = k_d (L_ref - L), and L_ref is what the robot would have as one body turning at the planned rate.
+/// L = C dq, f* = k_d (L_ref - L). The reference L_ref is what the robot would have if it turned as one body at the planned rate of the walk.
 ///
-/// Nothing here brings the joints home that the task moves. With a weight less than 1 the posture keeps a say in the task's own direction, and does.
+/// The task does not bring the joints home that it moves. With a weight below 1 it leaves a share to the posture, which does.
 class MomentumTask : public Task {
  public:
   enum class Axes { kYaw, kAll };

@@ -6,7 +6,7 @@
 
 namespace zmpwalk {
 
-/// Where a frame is to be, and how it is to move there; world axes, or those of the frame that it is relative to.
+/// Where a frame is to be and how it is to move, in world axes or in those of the frame to which the reference is relative.
 struct PoseReference {
   Vec3 p = Vec3::Zero();             ///< position [m]
   Mat3 R = Mat3::Identity();         ///< orientation
@@ -14,7 +14,7 @@ struct PoseReference {
   Vec6 acceleration = Vec6::Zero();  ///< linear, angular, fed forward [m/s^2, rad/s^2]
 };
 
-/// Commanded acceleration of a frame (6,), linear then angular, world axes: (8) on its pose, plus what is fed forward.
+/// Commanded acceleration of a frame (6,), linear then angular, world axes: (8) for its pose error, plus the acceleration of the reference.
 inline Vec6 pose_acceleration(const PoseReference& reference, const FrameState& frame, double kp, double kd) {
   Vec6 error;
   error << reference.p - frame.p_WF, orientation_error(reference.R, frame.R_WF);

@@ -5,7 +5,7 @@
 
 namespace zmpwalk {
 
-/// Every joint follows a reference, one row each; the walk stacks those outside the legs, and they are the lowest level.
+/// Every joint follows a reference, one row each. A walk uses the rows of the joints outside the legs, after all other tasks.
 struct PostureTask : Task {
   explicit PostureTask(int joints) : q(VecX::Zero(joints)), dq(VecX::Zero(joints)), ddq(VecX::Zero(joints)) {}
 
@@ -13,7 +13,7 @@ struct PostureTask : Task {
   double kp = 0.0;  ///< [1/s^2]
   double kd = 0.0;  ///< [1/s]
 
-  /// Into `f_star` (joints,). Allocates nothing.
+  /// Writes the commanded accelerations into `f_star` (joints,). Allocates nothing.
   void acceleration(const Dynamics& dyn, Eigen::Ref<VecX> f_star) const {
     f_star = ddq;
     f_star += pd_acceleration(kp, kd, q - dyn.q, dq - dyn.dq.tail(q.size()));

@@ -6,16 +6,16 @@
 
 namespace zmpwalk {
 
-/// The trunk, that is the base, follows an orientation in the heading frame, which turns itself: three rows, world axes.
+/// The trunk (the floating base) follows an orientation that is given in the heading frame H, which itself turns; three rows, world axes.
 ///
-/// R_des = R_WH R_turn R_HB: R_WH turns by the heading, R_turn is the wanted turn from where the trunk stands, R_HB.
+/// R_des = R_WH R_turn R_HB: R_HB is the trunk's orientation in H at the start, R_turn the wanted turn from there, and R_WH the heading.
 struct TrunkTask : Task {
   Turning turn;                  ///< wanted turn, heading frame
   Mat3 R_HB = Mat3::Identity();  ///< orientation of the trunk in the heading frame where it stands
   double kp = 0.0;               ///< [1/s^2]
   double kd = 0.0;               ///< [1/s]
 
-  /// @param R_WH heading frame   @param rate at which it turns [rad/s]
+  /// Commanded angular acceleration, world axes. @param R_WH heading frame   @param rate at which the heading frame turns [rad/s]
   Vec3 acceleration(const Dynamics& dyn, const Mat3& R_WH, double rate) const {
     const Vec3 heading_rate(0.0, 0.0, rate);
     Vec3 f_star = R_WH * turn.alpha + heading_rate.cross(R_WH * turn.omega);

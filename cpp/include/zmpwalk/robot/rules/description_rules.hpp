@@ -4,7 +4,7 @@
 
 namespace zmpwalk {
 
-/// Looks names up, and keeps those that the model does not have.
+/// Looks up names in a model, and remembers those that the model does not have.
 class Names {
  public:
   explicit Names(const mjModel* m) : m_(m) {}
@@ -27,7 +27,7 @@ class Names {
 /// The description's robot by MuJoCo's numbers; `root_body` is -1 where neither its root joint nor its feet are in the model.
 RobotParts parts_of(const mjModel* m, const RobotDescription& description, Names& names);
 
-/// Adds what is wrong with a description's own words on base, start pose and torque limits.
+/// Adds what is wrong with what a description says of base, start pose and torque limits.
 void add_description(const mjModel* m, const RobotDescription& description, int root_body, Names& names, Reasons& out);
 
 }  // namespace zmpwalk

@@ -39,22 +39,22 @@ struct RobotParts {
       Vec3::Zero();  ///< its level direction in the pose that comes with it (W); zero where it is not known yet
 };
 
-/// What is wrong with the model itself: gravity, time step, contacts, and a tree with most of the joints that is fixed to the world.
+/// What is wrong with the model itself: its gravity, time step or contacts, or that the tree with most joints is fixed to the world.
 Reasons model_reasons(const mjModel* m);
 
-/// What is wrong with the model and a robot in it: also base, legs, soles, joints, motors and what acts on it unmodelled.
+/// What is wrong with the model and with a robot in it: also base, legs, soles, joints, motors, and what acts on the robot without being modelled.
 ///
-/// `upright`, with mj_kinematics and mj_comPos done, shows the robot with feet that are level and look `forward`; with it, and with
-/// `forward`, the directions of the legs' axes are looked at too. Without a pose they wait for `stand_reasons`.
+/// `upright` is a pose, after mj_kinematics and mj_comPos, in which the feet are level and look `forward`. If both are given, the directions of the
+/// legs' axes are checked too. Without a pose `stand_reasons` checks them later.
 Reasons model_reasons(const mjModel* m, const RobotParts& robot, const mjData* upright = nullptr);
 
-/// The same for the robot that a description names: also names that do not exist, start pose and torque limits.
+/// The same for the robot that a description names. It also checks that the names exist, the start pose and the torque limits.
 Reasons model_reasons(const mjModel* m, const RobotDescription& description);
 
 /// Joints between the base and the feet: legs, and a waist that they hang from.
 std::vector<int> chain_joints(const mjModel* m, const RobotParts& robot);
 
-/// Nothing where there is no reason. @throws ModelError with all of them
+/// Does nothing where there is no reason. @throws ModelError  there are reasons; it carries all of them
 void require_none(const Reasons& reasons);
 
 }  // namespace zmpwalk

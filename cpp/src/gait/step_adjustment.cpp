@@ -1,0 +1,54 @@
+#include "zmpwalk/gait/step_adjustment.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace zmpwalk {
+namespace {
+
+constexpr int kCandidates = 32;  // landing times that are looked at, from the earliest to the latest
+
+/// Distance of `x` from the interval [lower, upper]; 0 inside.
+double outside(double x, double lower, double upper) { return std::max({lower - x, x - upper, 0.0}); }
+
+}  // namespace
+
+double StepAdjustment::cost(const LinearInvertedPendulum& pendulum, const std::array<StepAxis, 2>& axes,
+                            const StepLimits& limits, double time) const {
+  const double grow = pendulum.growth(std::max(time + limits.take_over, 0.0)).factor;
+  const double later = time - limits.planned, way = limits.foot_speed * time;
+  double cost = weights_.time * later * later;
+  for (const StepAxis& a : axes) {
+    // Where the foot would have to land, for a ZMP at either bound.
+    const double first = a.zmp_upper + (a.xi - a.zmp_upper) * grow - a.offset,
+                 last = a.zmp_lower + (a.xi - a.zmp_lower) * grow - a.offset;
+    const double planned = a.place + a.drift * later;
+    const double wanted = std::clamp(planned, first, std::max(first, last));
+    // The planned place itself is always within reach; in the time left the foot comes only so far.
+    const double lower = std::min(std::max(a.place_lower, a.foot - way), a.place_upper),
+                 upper = std::max(std::min(a.place_upper, a.foot + way), lower);
+    const double place = std::clamp(wanted, std::min(lower, planned), std::max(upper, planned));
+    const double gap = outside(place, first, last), moved = place - planned;
+    cost += gap * gap + weights_.place * moved * moved;
+  }
+  return cost;
+}
+
+double StepAdjustment::time(const LinearInvertedPendulum& pendulum, const std::array<StepAxis, 2>& axes,
+                            const StepLimits& limits) const {
+  const auto at = [&](double t) { return cost(pendulum, axes, limits, t); };
+  const double planned = std::max(limits.planned, limits.least);
+  if (at(planned) <= weights_.band) return planned;
+  double best = std::clamp(limits.current, limits.least, std::max(limits.most, limits.least));
+  double least = at(best) - weights_.band;
+  for (int i = 0; i <= kCandidates; ++i) {
+    const double t = limits.least + (limits.most - limits.least) * i / kCandidates;
+    if (const double c = at(t); c < least) {
+      least = c;
+      best = t;
+    }
+  }
+  return best;
+}
+
+}  // namespace zmpwalk
