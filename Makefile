@@ -13,7 +13,7 @@ DEMO_OUT ?= out/demo
 SANITIZE ?= address,undefined
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: help demo test pytest ctest sanitize bench ladder instructions same native peers wheel wheel-check sdist stubs columns format lint check-all clean
+.PHONY: help demo test pytest ctest sanitize bench ladder pushes instructions same native peers wheel wheel-check sdist stubs columns format lint check-all clean
 
 help:
 	@echo 'make demo         walk the paper'\''s experiment; figures, trace and summary go to $(DEMO_OUT)'
@@ -22,6 +22,7 @@ help:
 	@echo 'make sanitize     the C++ tests under $(SANITIZE)'
 	@echo 'make bench        how fast it is here: every figure of docs/benchmarks.md; make peers  beside TSID and placo'
 	@echo 'make ladder       walks faster and faster until it falls (docs/walk_anywhere.md)'
+	@echo 'make pushes       pushes the bundled robot until it falls (docs/pushes.md); an hour'
 	@echo 'make instructions instructions of a cycle against the record (needs valgrind);  make native  against -march=native'
 	@echo 'make same         whether the working tree walks bit for bit as BASE does (BASE=HEAD~3; without it, HEAD)'
 	@echo 'make wheel        dist/*.whl;  make wheel-check  install it into an empty environment and walk;  make sdist'
@@ -162,6 +163,9 @@ bench: $(B)/installed.stamp
 ladder: $(B)/installed.stamp
 	$(PY) benchmarks/walk_anywhere.py --only ladder
 
+pushes: $(B)/installed.stamp
+	$(PY) benchmarks/pushes.py
+
 peers: $(B)/installed.stamp
 	$(PY) benchmarks/peers/run.py
 
@@ -232,7 +236,7 @@ endif
 
 # ---- everything, everywhere
 check-all:
-	@failed=; for version in 3.8 3.9 3.10 3.11 3.12 3.13; do \
+	@export ZMPWALK_BIG=1; failed=; for version in 3.8 3.9 3.10 3.11 3.12 3.13; do \
 		if .ci/find-python $$version >/dev/null 2>&1; then \
 			$(MAKE) test PYTHON=$$version && $(MAKE) wheel-check PYTHON=$$version || failed="$$failed $$version"; \
 		else echo "zmpwalk: no Python $$version here, not checked"; fi; done; \

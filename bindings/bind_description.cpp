@@ -71,13 +71,13 @@ void bind_description(py::module_& m) {
       .def(
           "drives",
           [](const RobotDescription& d, const py::object& model) {
-            const mjModel* m = model_of(model);
-            d.check(m);
-            const std::vector<int> joints = tree_joints(m, m->jnt_bodyid[d.free_joint(m)]);
-            const Actuation actuation(m, joints, d.torque_limits);
+            const mjModel* mujoco = model_of(model);
+            d.check(mujoco);
+            const std::vector<int> joints = tree_joints(mujoco, mujoco->jnt_bodyid[d.free_joint(mujoco)]);
+            const Actuation actuation(mujoco, joints, d.torque_limits);
             py::dict out;
             for (std::size_t j = 0; j < joints.size(); ++j)
-              out[py::str(object_name(m, mjOBJ_JOINT, joints[j]))] =
+              out[py::str(object_name(mujoco, mjOBJ_JOINT, joints[j]))] =
                   py::make_tuple(actuation.drives()[j].limit, actuation.drives()[j].path);
             return out;
           },

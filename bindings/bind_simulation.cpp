@@ -61,11 +61,16 @@ class PythonCommand {
   std::exception_ptr error_;
 };
 
-py::tuple run(WalkingController& controller, double duration, const py::object& on_progress, const py::object& command,
-              double command_interval) {
+OnFall on_fall_of(const std::string& word) {
+  if (word == "stop") return OnFall::kStop;
+  if (word == "go_on") return OnFall::kGoOn;
+  throw InputError("on_fall is '" + word + "'; it must be stop or go_on");
+}
+
+py::tuple run(Simulation& simulation, WalkingController& controller, double duration, const py::object& on_progress,
+              const py::object& command, double command_interval, OnFall on_fall) {
   require_positive("duration", duration);
   Recorder recorder(controller, duration);
-  Simulation simulation(controller);
   PythonProgress progress(on_progress, duration);
   PythonCommand steer(controller, command);
   std::function<bool(const CycleOutput&)> after_cycle;
@@ -73,7 +78,7 @@ py::tuple run(WalkingController& controller, double duration, const py::object& 
   RunResult result;
   {
     py::gil_scoped_release unlocked;
-    result = simulation.run(duration, recorder, std::ref(progress), 0.05, after_cycle, command_interval);
+    result = simulation.run(duration, recorder, std::ref(progress), 0.05, after_cycle, command_interval, on_fall);
   }
   progress.rethrow();
   steer.rethrow();
@@ -81,6 +86,8 @@ py::tuple run(WalkingController& controller, double duration, const py::object& 
   info["fell"] = result.fell != Fall::kNone;
   info["fall_time"] = result.fall_time;
   info["fall_cause"] = to_string(result.fell);
+  info["alarm_time"] = result.alarm_time;
+  info["alarm_cause"] = to_string(result.alarm);
   info["stopped"] = result.stopped;
   info["wall_time"] = result.wall_time;
   std::vector<Column> times;
@@ -88,6 +95,14 @@ py::tuple run(WalkingController& controller, double duration, const py::object& 
   info.attr("update")(take_columns(std::move(times)));
   return py::make_tuple(take_columns(recorder.take_columns()), info);
 }
+
+/// A simulation that keeps the controller it steps, as Python sees it.
+struct PySimulation : Simulation {
+  PySimulation(WalkingController& c, const Uncertainty& uncertainty, const py::object& model)
+      : Simulation(c, uncertainty, model.is_none() ? nullptr : model_of(model)), controller(c), simulated(model) {}
+  WalkingController& controller;
+  py::object simulated;
+};
 
 }  // namespace
 
@@ -136,14 +151,76 @@ void bind_simulation(py::module_& m) {
           "Columns by name, (T,) or (T, n): a copy.")
       .def("__len__", &Recorder::rows);
 
-  m.def("simulate", &run, "controller"_a, "duration"_a, "on_progress"_a = py::none(), "command"_a = py::none(),
-        "command_interval"_a = 0.02,
-        "Closed loop in C++ from the start pose, the interpreter's lock released.\n\n"
-        "Args:\n    controller: WalkingController.\n    duration: [s].\n    on_progress: called as f(t, duration) "
-        "about 20 times a second; may raise.\n    command: called as f(t, out) after the first cycle and then every "
-        "`command_interval` [s]; returns\n        (vx, vy, wz) or None, which leaves the command as it is; "
-        "StopIteration ends the run.\n\n"
-        "Returns:\n    (columns, info).\n\nRaises:\n    InputError; whatever a callback raises; KeyboardInterrupt.");
+  py::class_<SensorNoise>(m, "SensorNoise", "Standard deviations of what is measured; white and Gaussian.")
+      .def(py::init<>())
+      .def_readwrite("joint", &SensorNoise::joint, "Joint positions [rad].")
+      .def_readwrite("joint_speed", &SensorNoise::joint_speed, "[rad/s]")
+      .def_readwrite("gyro", &SensorNoise::gyro, "Angular velocity of the base [rad/s].")
+      .def_readwrite("attitude", &SensorNoise::attitude, "Of the base, about each of its axes [rad].")
+      .def_readwrite("base_speed", &SensorNoise::base_speed, "Along each axis [m/s].");
+  py::class_<Uncertainty>(
+      m, "SignalUncertainty",
+      "What lies between a robot and its controller: noise, bias, delays, lag. `zmpwalk.Uncertainty` "
+      "makes it.")
+      .def(py::init<>())
+      .def_readwrite("noise", &Uncertainty::noise, "Of the sensors.")
+      .def_readwrite("roll_bias", &Uncertainty::roll_bias, "Of the measured attitude, about the base's x [rad].")
+      .def_readwrite("pitch_bias", &Uncertainty::pitch_bias, "The same about its y [rad].")
+      .def_readwrite("state_delay", &Uncertainty::state_delay, "Age of what is measured [s].")
+      .def_readwrite("torque_delay", &Uncertainty::torque_delay, "From a torque's decision to its effect [s].")
+      .def_readwrite("lag", &Uncertainty::lag, "Time constant with which a drive takes a torque up [s].")
+      .def_readwrite("seed", &Uncertainty::seed, "Of the noise.");
+  py::class_<PySimulation>(m, "Simulation",
+                           "The closed loop in C++ from the start pose, the interpreter's lock released. It may be run "
+                           "in several stretches.")
+      .def(py::init<WalkingController&, const Uncertainty&, const py::object&>(), "controller"_a,
+           "uncertainty"_a = Uncertainty(), "simulated"_a = py::none(), py::keep_alive<1, 2>(),
+           "Args:\n    uncertainty: what lies between robot and controller.\n    simulated: the model that is "
+           "simulated, None where it is the controller's.\n\nRaises:\n    ModelError, InputError.")
+      .def(
+          "push",
+          [](PySimulation& s, double t, double duration, const std::string& body, const Vec6& wrench) {
+            s.push({t, duration, body, wrench});
+          },
+          "t"_a, "duration"_a, "body"_a, "wrench"_a,
+          "A constant force and torque on a body, at its centre of mass, in [t, t + duration).\n\nArgs:\n    t, "
+          "duration: [s].\n"
+          "    body: a name; \"\" takes the trunk.\n    wrench: force, then torque, world axes (6,) [N, N "
+          "m].\n\nRaises:\n    InputError.")
+      .def(
+          "run",
+          [](PySimulation& s, double duration, const py::object& on_progress, const py::object& command,
+             double command_interval, const std::string& on_fall) {
+            return run(s, s.controller, duration, on_progress, command, command_interval, on_fall_of(on_fall));
+          },
+          "duration"_a, "on_progress"_a = py::none(), "command"_a = py::none(), "command_interval"_a = 0.02,
+          "on_fall"_a = "stop",
+          "Walks on for `duration`.\n\n"
+          "Args:\n    duration: [s].\n    on_progress: called as f(t, duration) about 20 times a second; may raise.\n"
+          "    command: called as f(t, out) after the first cycle and then every `command_interval` [s]; returns\n"
+          "        (vx, vy, wz) or None, which leaves the command as it is; StopIteration ends the run.\n"
+          "    on_fall: \"stop\" ends where the controller says that the robot has fallen, \"go_on\" only where it "
+          "lies on the ground.\n\n"
+          "Returns:\n    (columns, info) of this stretch.\n\nRaises:\n    InputError; whatever a callback raises; "
+          "KeyboardInterrupt.")
+      .def_property_readonly("time", [](PySimulation& s) { return s.data()->time; }, "Simulated time [s].");
+  m.def(
+      "simulate",
+      [](WalkingController& controller, double duration, const py::object& on_progress, const py::object& command,
+         double command_interval) {
+        require_positive("duration", duration);
+        Simulation simulation(controller);
+        return run(simulation, controller, duration, on_progress, command, command_interval, OnFall::kStop);
+      },
+      "controller"_a, "duration"_a, "on_progress"_a = py::none(), "command"_a = py::none(), "command_interval"_a = 0.02,
+      "A whole walk: `Simulation(controller).run(duration, ...)`.\n\nRaises:\n    as there.");
+  m.def(
+      "trunk_body",
+      [](const WalkingController& controller) {
+        const mjModel* model = controller.robot().model();
+        return std::string(model->names + model->name_bodyadr[trunk_body(controller.robot())]);
+      },
+      "controller"_a, "Name of the body that a push is given to where none is named.");
   m.def(
       "measured_zmp",
       [](const py::object& model, const py::object& data, const RobotDescription& description,

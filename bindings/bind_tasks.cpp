@@ -176,9 +176,9 @@ void bind_tasks(py::module_& m) {
       .def(
           "follow",
           [](JointTask& task, const JointMotion& motion) {
-            const auto m = static_cast<Eigen::Index>(motion.names().size());
-            VecX low(m), high(m);
-            for (int i = 0; i < m; ++i) {
+            const auto rows = static_cast<Eigen::Index>(motion.names().size());
+            VecX low(rows), high(rows);
+            for (int i = 0; i < rows; ++i) {
               low[i] = motion.extent(i).low;
               high[i] = motion.extent(i).high;
             }

@@ -143,9 +143,9 @@ void bind_walking_controller(py::module_& m) {
       .def_property_readonly(
           "task_activations",
           [](const WalkingController& c) {
-            std::vector<double> out;
-            for (const TaskStack::Entry& entry : c.added_tasks().entries()) out.push_back(entry.activation);
-            return out;
+            std::vector<double> activations;
+            for (const TaskStack::Entry& entry : c.added_tasks().entries()) activations.push_back(entry.activation);
+            return activations;
           },
           "how far each added task acts now, from 0 to its weight, in the order of their priority")
       .def_property_readonly(
@@ -189,9 +189,9 @@ void bind_walking_controller(py::module_& m) {
           [](const WalkingController& c, double duration, double dt) {
             const WalkPlan plan = c.plan(duration, dt);
             const auto rows = [](const std::vector<Vec2>& v) {
-              RowMatX out(static_cast<Eigen::Index>(v.size()), 2);
-              for (std::size_t i = 0; i < v.size(); ++i) out.row(static_cast<Eigen::Index>(i)) = v[i];
-              return out;
+              RowMatX matrix(static_cast<Eigen::Index>(v.size()), 2);
+              for (std::size_t i = 0; i < v.size(); ++i) matrix.row(static_cast<Eigen::Index>(i)) = v[i];
+              return matrix;
             };
             py::list steps;
             for (const WalkPlan::Step& step : plan.steps) {
@@ -202,14 +202,14 @@ void bind_walking_controller(py::module_& m) {
               each["place"] = Vec3(step.place.p.x(), step.place.p.y(), step.place.yaw);
               steps.append(each);
             }
-            py::dict out;
-            out["t"] = VecX(Eigen::Map<const VecX>(plan.t.data(), static_cast<Eigen::Index>(plan.t.size())));
-            out["com"] = rows(plan.com);
-            out["dcom"] = rows(plan.dcom);
-            out["zmp"] = rows(plan.zmp);
-            out["support"] = py::array(py::cast(plan.support));
-            out["steps"] = steps;
-            return out;
+            py::dict answer;
+            answer["t"] = VecX(Eigen::Map<const VecX>(plan.t.data(), static_cast<Eigen::Index>(plan.t.size())));
+            answer["com"] = rows(plan.com);
+            answer["dcom"] = rows(plan.dcom);
+            answer["zmp"] = rows(plan.zmp);
+            answer["support"] = py::array(py::cast(plan.support));
+            answer["steps"] = steps;
+            return answer;
           },
           "duration"_a = 3.2, "dt"_a = 0.01,
           "Computes footsteps, COM and ZMP ahead of time, for a robot that follows them exactly, from the state of the "

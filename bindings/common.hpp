@@ -10,7 +10,7 @@
 #include <string>
 
 #include "zmpwalk/math/error.hpp"
-#include "zmpwalk/simulation.hpp"
+#include "zmpwalk/simulation/recorder.hpp"
 
 namespace py = pybind11;
 using namespace pybind11::literals;

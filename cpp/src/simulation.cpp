@@ -3,12 +3,15 @@
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
-#include <cassert>
 #include <chrono>
 #include <cmath>
+#include <string>
 
 #include "zmpwalk/math/error.hpp"
+#include "zmpwalk/robot/actuation.hpp"
 #include "zmpwalk/robot/contact_forces.hpp"
+#include "zmpwalk/robot/mujoco_compat.hpp"
+#include "zmpwalk/robot/words.hpp"
 
 namespace zmpwalk {
 namespace {
@@ -20,99 +23,121 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Memory is set aside for walks up to this long; longer ones grow as they go [s].
-constexpr double kReservedTime = 300.0;
-
 /// Lowered by this much from its start pose, a robot's feet touch the floor, if there is one [m].
 constexpr double kTouchDepth = 0.002;
+
+/// A COM lower than this over the lower sole, as a share of its height at the start, is that of a robot that lies.
+constexpr double kLyingHeight = 0.3;
 
 /// MuJoCo warns and resets itself where a state is not finite or far too large.
 bool diverged(const mjData* d) {
   return d->warning[mjWARN_BADQPOS].number + d->warning[mjWARN_BADQVEL].number + d->warning[mjWARN_BADQACC].number > 0;
 }
 
-void append(double value, Column& to) { to.values.push_back(value); }
-template <class Derived>
-void append(const Eigen::MatrixBase<Derived>& values, Column& to) {
-  assert(values.size() == to.width);
-  for (const double value : values.derived()) to.values.push_back(value);
+/// Of the COM over the lower sole [m].
+double com_height(const Robot& robot, const mjData* d) {
+  return d->subtree_com[3 * robot.root_body() + 2] -
+         std::min(robot.sole_centre(kLeft, d).z(), robot.sole_centre(kRight, d).z());
+}
+
+/// The robot in `simulated`, if there is one: what the controller drives must be there, in the order in which it drives it.
+std::unique_ptr<Robot> another_robot(const Robot& known, const mjModel* simulated) {
+  if (!simulated) return nullptr;
+  known.description().check(simulated);
+  const int root = simulated->jnt_bodyid[known.description().free_joint(simulated)];
+  std::vector<std::string> names;
+  for (const int joint : tree_joints(simulated, root)) names.push_back(object_name(simulated, mjOBJ_JOINT, joint));
+  const std::vector<std::string>& want = known.joint_names();
+  if (names.size() != want.size())
+    throw ModelError("the simulated robot has " + std::to_string(names.size()) + " joints, the controller's has " +
+                     std::to_string(want.size()) + ": they must have the same joints in the same order");
+  for (std::size_t j = 0; j < want.size(); ++j)
+    if (names[j] != want[j])
+      throw ModelError("joint " + std::to_string(j) + " of the simulated robot is '" + names[j] +
+                       "', of the controller's '" + want[j] + "': they must have the same joints in the same order");
+  return std::make_unique<Robot>(simulated, known.description());
 }
 
 }  // namespace
 
-Recorder::Recorder(const WalkingController& controller, double duration) : controller_(&controller) {
-  const auto rows =
-      static_cast<std::size_t>(std::clamp(duration, 0.0, kReservedTime) / controller.settings().control.dt) + 2;
-  for (const RecordedColumn& column : recorded_columns()) {
-    const int width = column.parts.width(controller.robot().nv());
-    columns_.push_back({column.name, width, {}});
-    columns_.back().values.reserve(rows * static_cast<std::size_t>(width));
-  }
-}
-
-void Recorder::add(const CycleOutput& out, const mjData* data) {
-  if (!out.fresh) return;
-  const Robot& robot = controller_->robot();
-  contact_ = measure_contact(robot, data);
-  // The cycle's plane, through the sole where the contacts found it.
-  const Plane plane = Plane::through(contact_.sole[out.support > 0 ? kLeft : kRight], out.zmp_plane.head<3>());
-  const RecordedCycle cycle{out,
-                            measured_zmp(contact_, plane),
-                            contact_.wrench,
-                            contact_.self_contacts,
-                            robot.joint_margin(data),
-                            robot.qpos(),
-                            robot.qvel()};
-  auto column = columns_.begin();
-  visit_columns([&](const char*, const auto& get, const auto&...) { append(column_value(get, cycle), *column++); });
-  ++rows_;
-}
-
-void Recorder::mark_fall() {
-  for (Column& column : columns_)
-    if (column.name == "fell" && !column.values.empty()) column.values.back() = 1.0;
-}
-
-Simulation::Simulation(WalkingController& controller)
-    : controller_(controller), data_(mj_makeData(controller.robot().model())) {
-  const Robot& robot = controller.robot();
-  robot.description().place(robot.model(), data_.get(), -kTouchDepth);
-  const MeasuredContact contact = measure_contact(robot, data_.get());
+Simulation::Simulation(WalkingController& controller, const Uncertainty& uncertainty, const mjModel* simulated)
+    : controller_(controller),
+      apart_(another_robot(controller.robot(), simulated)),
+      data_(mj_makeData(robot().model())),
+      pushes_(robot()),
+      direct_(!apart_ && uncertainty.none()),
+      sensors_(uncertainty, robot().nv(), robot().timestep()),
+      drives_(uncertainty, robot().joints(), robot().timestep()),
+      truth_(robot().nv()),
+      told_(robot().nv()) {
+  const mjModel* m = robot().model();
+  const RobotDescription& description = robot().description();
+  description.place(m, data_.get(), -kTouchDepth);
+  const MeasuredContact contact = measure_contact(robot(), data_.get());
   for (const Side side : kSides)
     if (std::isnan(contact.wrench[6 * side]))
-      throw ModelError("at the start pose the foot '" + robot.description().feet[side].body +
+      throw ModelError("at the start pose the foot '" + description.feet[side].body +
                        "' touches nothing: the model needs a floor at z = 0 that its feet collide with");
-  mj_resetData(robot.model(), data_.get());
-  robot.description().place(robot.model(), data_.get());
+  mj_resetData(m, data_.get());
+  description.place(m, data_.get());
+  start_height_ = com_height(robot(), data_.get());
 }
 
 Simulation::~Simulation() = default;
 
+const CycleOutput& Simulation::control(Terms terms) {
+  mjData* d = data_.get();
+  if (direct_) return controller_.update(d, terms, felt_);
+  told_ = sensors_.measure(truth_);
+  robot().observe(d, truth_);  // once more for the record: MuJoCo has normalized its quaternion
+  static_cast<Sensed&>(told_) = felt_;
+  const CycleOutput& out = controller_.update(told_);
+  robot().write_torque(drives_.act(out.tau), d);
+  return out;
+}
+
+Fall Simulation::lies() const {
+  const mjModel* m = robot().model();
+  const mjData* d = data_.get();
+  if (com_height(robot(), d) < kLyingHeight * start_height_) return Fall::kDown;
+  for (int i = 0; i < d->ncon; ++i) {
+    const mujoco_compat::ContactPair pair = mujoco_compat::contact_pair(d->contact[i]);
+    if (pair.first < 0 || pair.second < 0) continue;  // not between two geoms
+    const int body_1 = m->geom_bodyid[pair.first], body_2 = m->geom_bodyid[pair.second];
+    const bool is_first = robot().is_robot(body_1);
+    const int own = is_first ? body_1 : body_2, other = is_first ? body_2 : body_1;
+    if (robot().is_robot(own) && m->body_weldid[other] == 0 && !robot().is_leg(own)) return Fall::kDown;
+  }
+  return Fall::kNone;
+}
+
 RunResult Simulation::run(double duration, Recorder& recorder, const std::function<bool(double)>& progress,
                           double progress_interval, const std::function<bool(const CycleOutput&)>& after_cycle,
-                          double cycle_interval) {
+                          double cycle_interval, OnFall on_fall) {
   require_positive("duration", duration);
-  const Robot& robot = controller_.robot();
-  const mjModel* m = robot.model();
+  const mjModel* m = robot().model();
   mjData* d = data_.get();
-  controller_.reset(d);
+  if (!started_) {
+    robot().observe(d, truth_);
+    controller_.reset(truth_);
+  }
+  started_ = true;
   const double t_end = d->time + duration, dt = m->opt.timestep;
   const bool in_two = m->opt.integrator != mjINT_RK4;  // MuJoCo cannot part a Runge-Kutta step
   RunResult result;
-  result.cycle_us.reserve(
-      static_cast<std::size_t>(std::min(duration, kReservedTime) / controller_.settings().control.dt) + 2);
-  double airborne = 0.0;
-  Sensed felt;  // by the feet, in the step before
+  result.cycle_us.reserve(rows_within(duration, controller_.settings().control.dt));
   const long every = std::max(1L, std::lround(cycle_interval / controller_.settings().control.dt));
   long cycle = 0;
   const auto start = std::chrono::steady_clock::now();
   double reported = 0.0;
   while (d->time + 0.5 * dt < t_end) {
-    if (!robot.is_finite(d) || diverged(d)) {
+    if (!robot().is_finite(d) || diverged(d)) {
       result.fell = Fall::kNonFinite;
       break;
     }
     const double t = d->time;
+    pushes_.apply(t, d);
+    if (!direct_) robot().observe(d, truth_);
     if (in_two) mj_step1(m, d);
     if (diverged(d)) {  // MuJoCo has reset itself, and with it the clock: what it holds now is no state of the walk
       d->time = t;
@@ -120,7 +145,7 @@ RunResult Simulation::run(double duration, Recorder& recorder, const std::functi
       break;
     }
     const auto before = std::chrono::steady_clock::now();
-    const CycleOutput& out = controller_.update(d, in_two ? Terms::kInData : Terms::kCompute, felt);
+    const CycleOutput& out = control(in_two ? Terms::kInData : Terms::kCompute);
     if (out.fresh) result.cycle_us.push_back(1e6 * seconds_since(before));
     if (after_cycle && out.fresh && cycle++ % every == 0 && !after_cycle(out)) result.stopped = true;
     if (in_two)
@@ -128,13 +153,21 @@ RunResult Simulation::run(double duration, Recorder& recorder, const std::functi
     else
       mj_step(m, d);
     if (diverged(d)) d->time = t + dt;
-    recorder.add(out, d);
+    if (direct_)
+      recorder.add(out, d);
+    else
+      recorder.add(out, d, robot(), truth_);
     if (out.fresh) {
-      felt = felt_by(recorder.contact());
-      const bool touches = felt.contact[kLeft] + felt.contact[kRight] > 0.0;
-      airborne = touches ? 0.0 : airborne + controller_.settings().control.dt;
+      felt_ = felt_by(recorder.contact());
+      const bool touches = felt_.contact[kLeft] + felt_.contact[kRight] > 0.0;
+      airborne_ = touches ? 0.0 : airborne_ + controller_.settings().control.dt;
     }
-    result.fell = out.fell != Fall::kNone ? out.fell : airborne > kLongestFlight ? Fall::kNoContact : Fall::kNone;
+    const Fall alarm = out.fell != Fall::kNone ? out.fell : airborne_ > kLongestFlight ? Fall::kNoContact : Fall::kNone;
+    if (result.alarm == Fall::kNone && alarm != Fall::kNone) {
+      result.alarm = alarm;
+      result.alarm_time = d->time;
+    }
+    result.fell = on_fall == OnFall::kStop || alarm == Fall::kNonFinite ? alarm : lies();
     if (result.fell != Fall::kNone || result.stopped) break;
     if (!progress) continue;
     const double wall = seconds_since(start);
@@ -148,6 +181,10 @@ RunResult Simulation::run(double duration, Recorder& recorder, const std::functi
   if (result.fell != Fall::kNone) {
     result.fall_time = d->time;
     recorder.mark_fall();
+  }
+  if (result.alarm == Fall::kNone) {
+    result.alarm = result.fell;
+    result.alarm_time = result.fall_time;
   }
   result.wall_time = seconds_since(start);
   return result;

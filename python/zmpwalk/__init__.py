@@ -27,7 +27,7 @@ except VersionError as error:
         raise SystemExit(2) from None
     raise
 
-from . import analysis, errors, simulation, trace
+from . import analysis, errors, pushes, simulation, trace, troubles
 from ._build import VERSION as __version__
 from ._core import (
     Contact,
@@ -53,8 +53,11 @@ from ._core import (
     solve_reference,
     zmp_on_plane,
 )
+from .capture import PendulumWalk, pendulum_limit
+from .disturbances import Push, Uncertainty
 from .motion import JointMotion
 from .profiles import VelocityProfile
+from .pushes import PushMap, push_map
 from .robots import (
     Foot,
     Proposal,
@@ -69,6 +72,8 @@ from .settings import load_settings, settings_toml
 from .simulation import Recorder, WalkingController, simulate, simulate_batch
 from .tasks import FrameTask, JointTask, MomentumTask
 from .trace import Trace
+from .troubles import Robustness, robustness
+from .verdict import Verdict, judge
 from .waypoints import Waypoints, walk_to
 
 __all__ = [
@@ -87,17 +92,23 @@ __all__ = [
     "LinearInvertedPendulum",
     "ModelError",
     "MomentumTask",
+    "PendulumWalk",
     "Plane",
     "Proposal",
+    "Push",
+    "PushMap",
     "Recorder",
     "Robot",
     "RobotDescription",
+    "Robustness",
     "State",
     "TaskAccelerations",
     "TaskSpace",
     "Trace",
+    "Uncertainty",
     "VelocityProfile",
     "VelocityTracker",
+    "Verdict",
     "VersionError",
     "WalkSettings",
     "WalkingController",
@@ -113,13 +124,17 @@ __all__ = [
     "distribute_wrench",
     "errors",
     "iterate_reference",
+    "judge",
     "load_robot",
     "load_settings",
     "measured_zmp",
+    "pendulum_limit",
     "plot",
     "propose",
+    "push_map",
     "read_description",
     "render",
+    "robustness",
     "settings_toml",
     "simulate",
     "simulate_batch",
@@ -137,7 +152,23 @@ def _plot(*arguments: Any, **options: Any) -> Any:
     return plot.draw(*arguments, **options)
 
 
+def _plot_pushes(push_map: PushMap) -> Any:
+    """`PushMap.plot`."""
+    from . import plot
+
+    return plot.pushes(push_map)
+
+
+def _plot_robustness(found: Robustness) -> Any:
+    """`Robustness.plot`."""
+    from . import plot
+
+    return plot.robustness(found)
+
+
 trace.ABOVE.update(plot=_plot, rerun=simulation.rerun)
+pushes.ABOVE.update(plot=_plot_pushes)
+troubles.ABOVE.update(plot=_plot_robustness)
 
 
 def __getattr__(name: str) -> ModuleType:

@@ -141,9 +141,9 @@ class RecordedColumns:
     """(T,). Whether the robot has fallen, which ends the walk."""
 
     qpos: np.ndarray
-    """(T, nv + 1) [m, rad]. Configuration that this cycle read, as in MuJoCo: position and unit quaternion of the base,
-    then the joints."""
+    """(T, nv + 1) [m, rad]. Configuration of the robot as the cycle began, as in MuJoCo: position and unit quaternion
+    of the base, then the joints."""
 
     qvel: np.ndarray
-    """(T, nv) [m/s, rad/s]. Velocity that this cycle read, as in MuJoCo: of the base, its rotation in its own axes,
-    then of the joints."""
+    """(T, nv) [m/s, rad/s]. Velocity of the robot as the cycle began, as in MuJoCo: of the base, its rotation in its
+    own axes, then of the joints."""

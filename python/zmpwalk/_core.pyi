@@ -40,7 +40,10 @@ __all__: list[str] = [
     "Robot",
     "RobotDescription",
     "RobotParts",
+    "SensorNoise",
     "Setting",
+    "SignalUncertainty",
+    "Simulation",
     "State",
     "StepsSettings",
     "SwingSettings",
@@ -73,6 +76,7 @@ __all__: list[str] = [
     "recorded_columns",
     "simulate",
     "solve_reference",
+    "trunk_body",
     "yaw_momentum",
     "zmp_bounds",
     "zmp_of_wrench",
@@ -164,18 +168,25 @@ class StepsSettingsDict(typing.TypedDict, total=False):
     lengths: typing.Sequence[float]
     width: float
     clearance: float
-    reach: float
+    shift: float
     filter_time: float
     give: float
     freeze: float
     capture_distance: float
     capture_speed: float
+    timing: bool
+    ahead_most: float
+    aside_most: float
+    least_time: float
+    wait_time: float
 
 class SwingSettingsDict(typing.TypedDict, total=False):
     height: float
     feed_forward: bool
     kp: float
     kd: float
+    ahead_acceleration: float
+    aside_acceleration: float
 
 class ComSettingsDict(typing.TypedDict, total=False):
     state: typing.Literal["measured", "desired"]
@@ -201,8 +212,10 @@ class ZmpSettingsDict(typing.TypedDict, total=False):
     sole_exponent: float
     ankle_torque_fraction: float
     bound_lateral: bool
-    lateral_feedback: bool
+    lateral_law: typing.Literal["orbit", "paper"]
     lateral_shift: float
+    whole_fraction: float
+    corner_cut: float
 
 class TrackingSettingsDict(typing.TypedDict, total=False):
     law: typing.Literal["smooth", "bang_bang"]
@@ -210,6 +223,9 @@ class TrackingSettingsDict(typing.TypedDict, total=False):
     time: float
     catch_up_speed: float
     deadband: float
+    regain_from: float
+    regain_gain: float
+    regain_speed: float
 
 class RateSettingsDict(typing.TypedDict, total=False):
     limit: bool
@@ -246,6 +262,7 @@ class ControlSettingsDict(typing.TypedDict, total=False):
     textbook: bool
     singular_damping: float
     singular_pivot: float
+    singular_task: float
     friction_velocity: float
     kernel: str
     torque_limits: typing.Mapping[str, float]
@@ -280,6 +297,10 @@ class WalkSettings:
         """
         All settings by their one word, as plain Python values.
         """
+    @property
+    def lateral_feedback(self) -> bool: ...
+    @lateral_feedback.setter
+    def lateral_feedback(self, arg1: typing.Any) -> None: ...
     @property
     def law(self) -> str:
         """
@@ -318,11 +339,18 @@ class WalkSettings:
         foothold_freeze: float = ...,
         capture_reach: float = ...,
         capture_speed: float = ...,
+        step_timing: bool = ...,
+        step_ahead_most: float = ...,
+        step_aside_most: float = ...,
+        step_least_time: float = ...,
+        step_wait_time: float = ...,
         swing: SwingSettings | SwingSettingsDict = ...,
         step_height: float = ...,
         swing_feed_forward: bool = ...,
         swing_kp: float = ...,
         swing_kd: float = ...,
+        swing_ahead_acceleration: float = ...,
+        swing_aside_acceleration: float = ...,
         com: ComSettings | ComSettingsDict = ...,
         com_state: typing.Literal["measured", "desired"] = ...,
         feed_forward: bool = ...,
@@ -346,14 +374,19 @@ class WalkSettings:
         sole_exponent: float = ...,
         ankle_torque_fraction: float = ...,
         bound_lateral: bool = ...,
-        lateral_feedback: bool = ...,
+        lateral_law: typing.Literal["orbit", "paper"] = ...,
         lateral_reach: float = ...,
+        whole_sole_fraction: float = ...,
+        corner_cut: float = ...,
         tracking: TrackingSettings | TrackingSettingsDict = ...,
         tracker: typing.Literal["smooth", "bang_bang"] = ...,
         tracker_gain: float = ...,
         tracker_time: float = ...,
         tracker_reach: float = ...,
         tracker_deadband: float = ...,
+        regain_from: float = ...,
+        regain_gain: float = ...,
+        regain_speed: float = ...,
         rate: RateSettings | RateSettingsDict = ...,
         rate_limit: bool = ...,
         forward_jump: float = ...,
@@ -384,6 +417,7 @@ class WalkSettings:
         textbook: bool = ...,
         singular_damping: float = ...,
         singular_pivot: float = ...,
+        singular_task: float = ...,
         friction_velocity: float = ...,
         kernel: str = ...,
         torque_limits: typing.Mapping[str, float] = ...,
@@ -417,24 +451,31 @@ class WalkSettings:
                 closing_turn: A walk ends with a step that sets the foot beside the other one. That step is taken only where the headings of the path and of the standing foot differ by no more than this. Unit: rad. Default: 0.05.
                 touch_down: What ends a step: 'time' alone, or 'contact': the step ends when the swing foot is felt to touch the ground, before or after the planned time. A foot whose contact is not known, or was never felt, ends its step by time. One of 'time', 'contact'. Default: 'time'.
                 touch_down_share: Share of the single support before which a contact of the swing foot does not end the step: a foot that has just lifted may scuff the ground. Only where touch_down is 'contact'. Default: 0.5.
-                touch_down_time: How long a swing foot that meets no ground at its planned time goes on down, until the step ends by time. Only where touch_down is 'contact'. Unit: s. Default: 0.5 T_c.
+                touch_down_time: How long a swing foot that meets no ground at its planned time goes on down, until the step ends by time. Only where touch_down is 'contact'. Unit: s. Default: 0.18 T_c.
                 touch_down_speed: Speed at which a swing foot comes down onto the ground. A foot that meets none at its planned time goes on at this speed, ever slower: within touch_down_time by two thirds of touch_down_speed times touch_down_time. Only where touch_down is 'contact'; by time, a foot lands at rest. Unit: m/s. Default: 0.02 sqrt(g z_c).
             steps: Where the feet are set down. A dict, or StepsSettings.
                 mode (footsteps): What decides where a foot lands: 'tied' follows the COM, which keeps the walk balanced; 'absolute' takes the places of the plan; 'paper' and 'printed' take the step lengths of section IV, corrected and as printed; 'list' takes steps.lengths. Python and files take a list of lengths here as well. One of 'tied', 'absolute', 'paper', 'printed', 'list'. Default: 'tied'.
                 lengths (step_lengths): How far each step lands ahead of the standing foot, one number per step; the last one repeats. Tied footsteps do not use it. Unit: m. Default: [].
                 width (step_width): Distance of the two feet from each other, sideways. Unit: m. Default: as the feet stand at the start.
                 clearance (foot_clearance): Least gap that a step leaves between the edges of the two soles, sideways. Unit: m. Default: 0.03 z_c.
-                reach (foothold_reach): How far a tied foothold may be moved from its nominal place to keep the robot balanced. Unit: m. Default: 0.25 z_c.
+                shift (foothold_reach): How far a tied foothold may be moved from its nominal place to keep the robot balanced. Unit: m. Default: 0.25 z_c.
                 filter_time (foothold_time): Time constant of the low-pass through which a tied foothold moves while the foot is in the air. Unit: s. Default: 0.18 T_c.
                 give (foothold_give): A COM that is faster or slower than planned needs another foothold or another ZMP. Up to this share of its bounds the ZMP over the next foot makes up for it; only the rest moves a tied foothold. With 0 each long step would be followed by a short one. Default: 0.3.
                 freeze (foothold_freeze): Share of the single support after which a tied foothold stays where it is, so that the foot lands calmly. Default: 0.7.
                 capture_distance (capture_reach): How far the DCM (COM + T_c times its velocity) may be from its planned place when the next foot takes over, with tied footsteps. Beyond that the tracked speed yields, so that the next step still catches the robot. Unit: m. Default: 0.07 z_c.
                 capture_speed: Most that the tracked speed yields, either way, to keep the DCM within capture_distance of its plan. Unit: m/s. Default: 0.2 sqrt(g z_c).
+                timing (step_timing): Whether a robot that has been pushed changes the time of its step, uses the whole sole, and steps out of a stand to catch itself. It then needs room: lateral_reach=1.6 and foothold_reach of half the COM's height. Only with tied footsteps. Default: False.
+                ahead_most (step_ahead_most): How far ahead of the standing foot, or behind it, a foot may be set down to catch the robot. Unit: m. Default: 0.6 z_c.
+                aside_most (step_aside_most): How far beside the standing foot a foot may be set down to catch the robot. Unit: m. Default: 0.67 z_c.
+                least_time (step_least_time): Shortest single support of a step that catches the robot. Unit: s. Default: 1.1 T_c.
+                wait_time (step_wait_time): How much longer than planned a foot may stay in the air, while the ZMP brings the DCM (COM + T_c times its velocity) back over the standing foot. Unit: s. Default: 3 T_c.
             swing: How the foot in the air moves. A dict, or SwingSettings.
                 height (step_height): Height to which a step lifts the foot. Unit: m. Default: 0.0535 z_c, or less (down to 0.01 z_c) where the knee's rotor and damping would take over 0.6 of its torque at the walk's top speed.
                 feed_forward (swing_feed_forward): Whether the acceleration of the planned swing is added to that which corrects the foot's error. Without it the foot lags behind its path. Default: True.
                 kp (swing_kp): Stiffness with which the foot in the air is held on its path: acceleration per error, in position and orientation. Unit: 1/s^2. Default: 3600 (0.276 s / T_c)^2.
                 kd (swing_kd): Damping with which the foot in the air is held on its path: acceleration per velocity error, in position and orientation. Unit: 1/s. Default: 120 (0.276 s / T_c).
+                ahead_acceleration (swing_ahead_acceleration): Acceleration, forward or backward, that a foothold may ask of the foot in the air beyond its way by itself. More would turn the standing foot on the ground. Unit: m/s^2. Default: 2 g.
+                aside_acceleration (swing_aside_acceleration): Acceleration, sideways, that a foothold may ask of the foot in the air beyond its way by itself. Unit: m/s^2. Default: 4 g.
             com: How the centre of mass (COM) is moved: forward, sideways and in height. A dict, or ComSettings.
                 state (com_state): What counts as the COM's current state in the pendulum (16), (17): the 'measured' one, or the one that was 'desired' in the cycle before. One of 'measured', 'desired'. Default: 'measured'.
                 feed_forward: Whether the pendulum's acceleration is added to the COM's commanded acceleration (8). Without it the COM is one cycle late and takes stiffer gains. Default: True.
@@ -458,14 +499,19 @@ class WalkSettings:
                 sole_exponent: How much less of the sole's length the ZMP uses above cadence_speed: (cadence_speed / speed)^sole_exponent of it. At the sole's ends the contact of a fast walk chatters. Default: 0.5.
                 ankle_torque_fraction: Share of an ankle's torque limit that may hold the ZMP away from the ankle. Where ankles are weak this, not the sole, bounds the ZMP. Default: 0.9.
                 bound_lateral: Whether the ZMP is kept inside its bounds sideways too. The paper bounds it forward only. Default: True.
-                lateral_feedback: Whether the reference ZMP is shifted sideways so that the sway repeats (III-D). With false the sway follows (17) alone, and an error at the start never decays. Default: True.
-                lateral_shift (lateral_reach): Largest sideways shift of the reference ZMP that makes the sway repeat, as a share of half the sole's width. Default: 0.4.
+                lateral_law: Law by which the reference ZMP is shifted sideways from the middle of the sole that carries it (III-D). One of 'orbit', which shifts it so that the sway repeats; 'paper', which leaves it in the middle, so that an error at the start never decays. Default: 'orbit'.
+                lateral_shift (lateral_reach): Largest sideways shift of the reference ZMP that the lateral law may ask for, as a share of half the sole's width. Default: 0.4.
+                whole_fraction (whole_sole_fraction): Share of the sole's length and width that the ZMP may use when the robot has been pushed. It takes the place of sole_fraction as the DCM (COM + T_c times its velocity) leaves its plan. Default: 0.95.
+                corner_cut: Share of the sole's length that the ZMP gives up where it is at the sole's side: in a corner of the sole it would tip the foot. Default: 0.3.
             tracking: How the walk follows the planned velocity (III-C). A dict, or TrackingSettings.
-                law (tracker): Law by which the COM's velocity follows the planned one: 'smooth' accelerates in proportion to the error, 'bang_bang' drives the ZMP to its bounds until the error is gone, as III-C is printed. One of 'smooth', 'bang_bang'. Default: 'smooth'.
+                law (tracker): Law by which the COM's velocity follows the planned one. One of 'smooth', which accelerates in proportion to the error; 'bang_bang', which drives the ZMP to its bounds until the error is gone, as III-C is printed. Default: 'smooth'.
                 gain (tracker_gain): How fast the smooth law makes up lost way: speed that it adds per metre behind the plan. Unit: 1/s. Default: 1.38 / T_c.
                 time (tracker_time): Time constant with which the smooth law removes an error of the speed. Unit: s. Default: 0.18 T_c.
                 catch_up_speed (tracker_reach): Largest speed that the smooth law adds or takes away to make up lost or gained way. Feet cannot make up a long way in one step. Unit: m/s. Default: 0.03 sqrt(g z_c).
                 deadband (tracker_deadband): How far the COM may be ahead of its plan or behind it before the bang-bang law drives it back. A drive ends a little beyond the plan, since time is discrete; without a deadband that would start the next drive. Unit: m. Default: 0.0002.
+                regain_from: How far the COM must be behind its plan, or ahead of it, before steps become longer or shorter to make up for it. A push can cost half a metre. Only with tied footsteps. Unit: m. Default: 0.08 z_c.
+                regain_gain: Speed that those steps add per metre beyond regain_from. Unit: 1/s. Default: 0.14 / T_c.
+                regain_speed: Largest speed that those steps add or take away. Unit: m/s. Default: 0.045 sqrt(g z_c).
             rate: How fast the planned velocity may change, whatever a profile or command asks for at once. A dict, or RateSettings.
                 limit (rate_limit): Whether the planned velocity changes no faster than steps can follow. With false profiles and commands are taken as they are. Default: True.
                 forward_jump: Change of the forward velocity v_x that is taken up at once. A larger one follows at forward_acceleration or forward_deceleration. Unit: m/s. Default: 0.036 sqrt(g z_c).
@@ -496,6 +542,7 @@ class WalkSettings:
                 textbook: Whether equations (1) to (13) are computed as printed instead of on the direct path. It is slower and gives the same numbers. Default: False.
                 singular_damping: Damping that keeps the joints' motion bounded where a leg is straight. Default: 0.001.
                 singular_pivot: Smallest pivot of a leg's equations below which that leg counts as straight. Default: 0.01.
+                singular_task: How far a task of your own may be from impossible before it is met in part only: the motion that it asks for is damped in directions in which the joints outside the legs move it by less than this share of its size. So it stays bounded where an arm is stretched out. With 0 nothing is damped. Default: 0.005.
                 friction_velocity: Joint speed below which dry friction is taken as proportional to the speed, so that it does not jump where a joint turns around. Unit: rad/s. Default: 0.02.
                 kernel: Build of the inner loops: 'auto' takes the best that this processor runs, and build_info()['kernels'] names those that there are. They agree to rounding. Default: 'auto'.
                 torque_limits: Torque limits by joint name, in place of the robot's own. A motor still gives no more than the model lets through. Unit: N m. Default: {}.
@@ -542,11 +589,18 @@ class WalkSettings:
         foothold_freeze: float = ...,
         capture_reach: float = ...,
         capture_speed: float = ...,
+        step_timing: bool = ...,
+        step_ahead_most: float = ...,
+        step_aside_most: float = ...,
+        step_least_time: float = ...,
+        step_wait_time: float = ...,
         swing: SwingSettings | SwingSettingsDict = ...,
         step_height: float = ...,
         swing_feed_forward: bool = ...,
         swing_kp: float = ...,
         swing_kd: float = ...,
+        swing_ahead_acceleration: float = ...,
+        swing_aside_acceleration: float = ...,
         com: ComSettings | ComSettingsDict = ...,
         com_state: typing.Literal["measured", "desired"] = ...,
         feed_forward: bool = ...,
@@ -570,14 +624,19 @@ class WalkSettings:
         sole_exponent: float = ...,
         ankle_torque_fraction: float = ...,
         bound_lateral: bool = ...,
-        lateral_feedback: bool = ...,
+        lateral_law: typing.Literal["orbit", "paper"] = ...,
         lateral_reach: float = ...,
+        whole_sole_fraction: float = ...,
+        corner_cut: float = ...,
         tracking: TrackingSettings | TrackingSettingsDict = ...,
         tracker: typing.Literal["smooth", "bang_bang"] = ...,
         tracker_gain: float = ...,
         tracker_time: float = ...,
         tracker_reach: float = ...,
         tracker_deadband: float = ...,
+        regain_from: float = ...,
+        regain_gain: float = ...,
+        regain_speed: float = ...,
         rate: RateSettings | RateSettingsDict = ...,
         rate_limit: bool = ...,
         forward_jump: float = ...,
@@ -608,6 +667,7 @@ class WalkSettings:
         textbook: bool = ...,
         singular_damping: float = ...,
         singular_pivot: float = ...,
+        singular_task: float = ...,
         friction_velocity: float = ...,
         kernel: str = ...,
         torque_limits: typing.Mapping[str, float] = ...,
@@ -768,7 +828,7 @@ class WalkSettings:
     def touch_down_share(self, value: float) -> None: ...
     @property
     def touch_down_time(self) -> float:
-        """gait.touch_down_time: How long a swing foot that meets no ground at its planned time goes on down, until the step ends by time. Only where touch_down is 'contact'. Unit: s. Default: 0.5 T_c."""
+        """gait.touch_down_time: How long a swing foot that meets no ground at its planned time goes on down, until the step ends by time. Only where touch_down is 'contact'. Unit: s. Default: 0.18 T_c."""
     @touch_down_time.setter
     def touch_down_time(self, value: float) -> None: ...
     @property
@@ -800,7 +860,7 @@ class WalkSettings:
     def foot_clearance(self, value: float) -> None: ...
     @property
     def foothold_reach(self) -> float:
-        """steps.reach: How far a tied foothold may be moved from its nominal place to keep the robot balanced. Unit: m. Default: 0.25 z_c."""
+        """steps.shift: How far a tied foothold may be moved from its nominal place to keep the robot balanced. Unit: m. Default: 0.25 z_c."""
     @foothold_reach.setter
     def foothold_reach(self, value: float) -> None: ...
     @property
@@ -829,6 +889,31 @@ class WalkSettings:
     @capture_speed.setter
     def capture_speed(self, value: float) -> None: ...
     @property
+    def step_timing(self) -> bool:
+        """steps.timing: Whether a robot that has been pushed changes the time of its step, uses the whole sole, and steps out of a stand to catch itself. It then needs room: lateral_reach=1.6 and foothold_reach of half the COM's height. Only with tied footsteps. Default: False."""
+    @step_timing.setter
+    def step_timing(self, value: bool) -> None: ...
+    @property
+    def step_ahead_most(self) -> float:
+        """steps.ahead_most: How far ahead of the standing foot, or behind it, a foot may be set down to catch the robot. Unit: m. Default: 0.6 z_c."""
+    @step_ahead_most.setter
+    def step_ahead_most(self, value: float) -> None: ...
+    @property
+    def step_aside_most(self) -> float:
+        """steps.aside_most: How far beside the standing foot a foot may be set down to catch the robot. Unit: m. Default: 0.67 z_c."""
+    @step_aside_most.setter
+    def step_aside_most(self, value: float) -> None: ...
+    @property
+    def step_least_time(self) -> float:
+        """steps.least_time: Shortest single support of a step that catches the robot. Unit: s. Default: 1.1 T_c."""
+    @step_least_time.setter
+    def step_least_time(self, value: float) -> None: ...
+    @property
+    def step_wait_time(self) -> float:
+        """steps.wait_time: How much longer than planned a foot may stay in the air, while the ZMP brings the DCM (COM + T_c times its velocity) back over the standing foot. Unit: s. Default: 3 T_c."""
+    @step_wait_time.setter
+    def step_wait_time(self, value: float) -> None: ...
+    @property
     def step_height(self) -> float:
         """swing.height: Height to which a step lifts the foot. Unit: m. Default: 0.0535 z_c, or less (down to 0.01 z_c) where the knee's rotor and damping would take over 0.6 of its torque at the walk's top speed."""
     @step_height.setter
@@ -848,6 +933,16 @@ class WalkSettings:
         """swing.kd: Damping with which the foot in the air is held on its path: acceleration per velocity error, in position and orientation. Unit: 1/s. Default: 120 (0.276 s / T_c)."""
     @swing_kd.setter
     def swing_kd(self, value: float) -> None: ...
+    @property
+    def swing_ahead_acceleration(self) -> float:
+        """swing.ahead_acceleration: Acceleration, forward or backward, that a foothold may ask of the foot in the air beyond its way by itself. More would turn the standing foot on the ground. Unit: m/s^2. Default: 2 g."""
+    @swing_ahead_acceleration.setter
+    def swing_ahead_acceleration(self, value: float) -> None: ...
+    @property
+    def swing_aside_acceleration(self) -> float:
+        """swing.aside_acceleration: Acceleration, sideways, that a foothold may ask of the foot in the air beyond its way by itself. Unit: m/s^2. Default: 4 g."""
+    @swing_aside_acceleration.setter
+    def swing_aside_acceleration(self, value: float) -> None: ...
     @property
     def com_state(self) -> typing.Literal["measured", "desired"]:
         """com.state: What counts as the COM's current state in the pendulum (16), (17): the 'measured' one, or the one that was 'desired' in the cycle before. One of 'measured', 'desired'. Default: 'measured'."""
@@ -954,18 +1049,28 @@ class WalkSettings:
     @bound_lateral.setter
     def bound_lateral(self, value: bool) -> None: ...
     @property
-    def lateral_feedback(self) -> bool:
-        """zmp.lateral_feedback: Whether the reference ZMP is shifted sideways so that the sway repeats (III-D). With false the sway follows (17) alone, and an error at the start never decays. Default: True."""
-    @lateral_feedback.setter
-    def lateral_feedback(self, value: bool) -> None: ...
+    def lateral_law(self) -> typing.Literal["orbit", "paper"]:
+        """zmp.lateral_law: Law by which the reference ZMP is shifted sideways from the middle of the sole that carries it (III-D). One of 'orbit', which shifts it so that the sway repeats; 'paper', which leaves it in the middle, so that an error at the start never decays. Default: 'orbit'."""
+    @lateral_law.setter
+    def lateral_law(self, value: typing.Literal["orbit", "paper"]) -> None: ...
     @property
     def lateral_reach(self) -> float:
-        """zmp.lateral_shift: Largest sideways shift of the reference ZMP that makes the sway repeat, as a share of half the sole's width. Default: 0.4."""
+        """zmp.lateral_shift: Largest sideways shift of the reference ZMP that the lateral law may ask for, as a share of half the sole's width. Default: 0.4."""
     @lateral_reach.setter
     def lateral_reach(self, value: float) -> None: ...
     @property
+    def whole_sole_fraction(self) -> float:
+        """zmp.whole_fraction: Share of the sole's length and width that the ZMP may use when the robot has been pushed. It takes the place of sole_fraction as the DCM (COM + T_c times its velocity) leaves its plan. Default: 0.95."""
+    @whole_sole_fraction.setter
+    def whole_sole_fraction(self, value: float) -> None: ...
+    @property
+    def corner_cut(self) -> float:
+        """zmp.corner_cut: Share of the sole's length that the ZMP gives up where it is at the sole's side: in a corner of the sole it would tip the foot. Default: 0.3."""
+    @corner_cut.setter
+    def corner_cut(self, value: float) -> None: ...
+    @property
     def tracker(self) -> typing.Literal["smooth", "bang_bang"]:
-        """tracking.law: Law by which the COM's velocity follows the planned one: 'smooth' accelerates in proportion to the error, 'bang_bang' drives the ZMP to its bounds until the error is gone, as III-C is printed. One of 'smooth', 'bang_bang'. Default: 'smooth'."""
+        """tracking.law: Law by which the COM's velocity follows the planned one. One of 'smooth', which accelerates in proportion to the error; 'bang_bang', which drives the ZMP to its bounds until the error is gone, as III-C is printed. Default: 'smooth'."""
     @tracker.setter
     def tracker(self, value: typing.Literal["smooth", "bang_bang"]) -> None: ...
     @property
@@ -988,6 +1093,21 @@ class WalkSettings:
         """tracking.deadband: How far the COM may be ahead of its plan or behind it before the bang-bang law drives it back. A drive ends a little beyond the plan, since time is discrete; without a deadband that would start the next drive. Unit: m. Default: 0.0002."""
     @tracker_deadband.setter
     def tracker_deadband(self, value: float) -> None: ...
+    @property
+    def regain_from(self) -> float:
+        """tracking.regain_from: How far the COM must be behind its plan, or ahead of it, before steps become longer or shorter to make up for it. A push can cost half a metre. Only with tied footsteps. Unit: m. Default: 0.08 z_c."""
+    @regain_from.setter
+    def regain_from(self, value: float) -> None: ...
+    @property
+    def regain_gain(self) -> float:
+        """tracking.regain_gain: Speed that those steps add per metre beyond regain_from. Unit: 1/s. Default: 0.14 / T_c."""
+    @regain_gain.setter
+    def regain_gain(self, value: float) -> None: ...
+    @property
+    def regain_speed(self) -> float:
+        """tracking.regain_speed: Largest speed that those steps add or take away. Unit: m/s. Default: 0.045 sqrt(g z_c)."""
+    @regain_speed.setter
+    def regain_speed(self, value: float) -> None: ...
     @property
     def rate_limit(self) -> bool:
         """rate.limit: Whether the planned velocity changes no faster than steps can follow. With false profiles and commands are taken as they are. Default: True."""
@@ -1108,6 +1228,11 @@ class WalkSettings:
         """control.singular_pivot: Smallest pivot of a leg's equations below which that leg counts as straight. Default: 0.01."""
     @singular_pivot.setter
     def singular_pivot(self, value: float) -> None: ...
+    @property
+    def singular_task(self) -> float:
+        """control.singular_task: How far a task of your own may be from impossible before it is met in part only: the motion that it asks for is damped in directions in which the joints outside the legs move it by less than this share of its size. So it stays bounded where an arm is stretched out. With 0 nothing is damped. Default: 0.005."""
+    @singular_task.setter
+    def singular_task(self, value: float) -> None: ...
     @property
     def friction_velocity(self) -> float:
         """control.friction_velocity: Joint speed below which dry friction is taken as proportional to the speed, so that it does not jump where a joint turns around. Unit: rad/s. Default: 0.02."""
@@ -1232,7 +1357,7 @@ class GaitSettings:
     def touch_down_share(self, value: float) -> None: ...
     @property
     def touch_down_time(self) -> float:
-        """How long a swing foot that meets no ground at its planned time goes on down, until the step ends by time. Only where touch_down is 'contact'. Unit: s. Default: 0.5 T_c."""
+        """How long a swing foot that meets no ground at its planned time goes on down, until the step ends by time. Only where touch_down is 'contact'. Unit: s. Default: 0.18 T_c."""
     @touch_down_time.setter
     def touch_down_time(self, value: float) -> None: ...
     @property
@@ -1280,10 +1405,10 @@ class StepsSettings:
     @clearance.setter
     def clearance(self, value: float) -> None: ...
     @property
-    def reach(self) -> float:
+    def shift(self) -> float:
         """How far a tied foothold may be moved from its nominal place to keep the robot balanced. Unit: m. Default: 0.25 z_c."""
-    @reach.setter
-    def reach(self, value: float) -> None: ...
+    @shift.setter
+    def shift(self, value: float) -> None: ...
     @property
     def filter_time(self) -> float:
         """Time constant of the low-pass through which a tied foothold moves while the foot is in the air. Unit: s. Default: 0.18 T_c."""
@@ -1309,6 +1434,31 @@ class StepsSettings:
         """Most that the tracked speed yields, either way, to keep the DCM within capture_distance of its plan. Unit: m/s. Default: 0.2 sqrt(g z_c)."""
     @capture_speed.setter
     def capture_speed(self, value: float) -> None: ...
+    @property
+    def timing(self) -> bool:
+        """Whether a robot that has been pushed changes the time of its step, uses the whole sole, and steps out of a stand to catch itself. It then needs room: lateral_reach=1.6 and foothold_reach of half the COM's height. Only with tied footsteps. Default: False."""
+    @timing.setter
+    def timing(self, value: bool) -> None: ...
+    @property
+    def ahead_most(self) -> float:
+        """How far ahead of the standing foot, or behind it, a foot may be set down to catch the robot. Unit: m. Default: 0.6 z_c."""
+    @ahead_most.setter
+    def ahead_most(self, value: float) -> None: ...
+    @property
+    def aside_most(self) -> float:
+        """How far beside the standing foot a foot may be set down to catch the robot. Unit: m. Default: 0.67 z_c."""
+    @aside_most.setter
+    def aside_most(self, value: float) -> None: ...
+    @property
+    def least_time(self) -> float:
+        """Shortest single support of a step that catches the robot. Unit: s. Default: 1.1 T_c."""
+    @least_time.setter
+    def least_time(self, value: float) -> None: ...
+    @property
+    def wait_time(self) -> float:
+        """How much longer than planned a foot may stay in the air, while the ZMP brings the DCM (COM + T_c times its velocity) back over the standing foot. Unit: s. Default: 3 T_c."""
+    @wait_time.setter
+    def wait_time(self, value: float) -> None: ...
 
 class SwingSettings:
     """
@@ -1346,6 +1496,16 @@ class SwingSettings:
         """Damping with which the foot in the air is held on its path: acceleration per velocity error, in position and orientation. Unit: 1/s. Default: 120 (0.276 s / T_c)."""
     @kd.setter
     def kd(self, value: float) -> None: ...
+    @property
+    def ahead_acceleration(self) -> float:
+        """Acceleration, forward or backward, that a foothold may ask of the foot in the air beyond its way by itself. More would turn the standing foot on the ground. Unit: m/s^2. Default: 2 g."""
+    @ahead_acceleration.setter
+    def ahead_acceleration(self, value: float) -> None: ...
+    @property
+    def aside_acceleration(self) -> float:
+        """Acceleration, sideways, that a foothold may ask of the foot in the air beyond its way by itself. Unit: m/s^2. Default: 4 g."""
+    @aside_acceleration.setter
+    def aside_acceleration(self, value: float) -> None: ...
 
 class ComSettings:
     """
@@ -1486,15 +1646,25 @@ class ZmpSettings:
     @bound_lateral.setter
     def bound_lateral(self, value: bool) -> None: ...
     @property
-    def lateral_feedback(self) -> bool:
-        """Whether the reference ZMP is shifted sideways so that the sway repeats (III-D). With false the sway follows (17) alone, and an error at the start never decays. Default: True."""
-    @lateral_feedback.setter
-    def lateral_feedback(self, value: bool) -> None: ...
+    def lateral_law(self) -> typing.Literal["orbit", "paper"]:
+        """Law by which the reference ZMP is shifted sideways from the middle of the sole that carries it (III-D). One of 'orbit', which shifts it so that the sway repeats; 'paper', which leaves it in the middle, so that an error at the start never decays. Default: 'orbit'."""
+    @lateral_law.setter
+    def lateral_law(self, value: typing.Literal["orbit", "paper"]) -> None: ...
     @property
     def lateral_shift(self) -> float:
-        """Largest sideways shift of the reference ZMP that makes the sway repeat, as a share of half the sole's width. Default: 0.4."""
+        """Largest sideways shift of the reference ZMP that the lateral law may ask for, as a share of half the sole's width. Default: 0.4."""
     @lateral_shift.setter
     def lateral_shift(self, value: float) -> None: ...
+    @property
+    def whole_fraction(self) -> float:
+        """Share of the sole's length and width that the ZMP may use when the robot has been pushed. It takes the place of sole_fraction as the DCM (COM + T_c times its velocity) leaves its plan. Default: 0.95."""
+    @whole_fraction.setter
+    def whole_fraction(self, value: float) -> None: ...
+    @property
+    def corner_cut(self) -> float:
+        """Share of the sole's length that the ZMP gives up where it is at the sole's side: in a corner of the sole it would tip the foot. Default: 0.3."""
+    @corner_cut.setter
+    def corner_cut(self, value: float) -> None: ...
 
 class TrackingSettings:
     """
@@ -1514,7 +1684,7 @@ class TrackingSettings:
         """
     @property
     def law(self) -> typing.Literal["smooth", "bang_bang"]:
-        """Law by which the COM's velocity follows the planned one: 'smooth' accelerates in proportion to the error, 'bang_bang' drives the ZMP to its bounds until the error is gone, as III-C is printed. One of 'smooth', 'bang_bang'. Default: 'smooth'."""
+        """Law by which the COM's velocity follows the planned one. One of 'smooth', which accelerates in proportion to the error; 'bang_bang', which drives the ZMP to its bounds until the error is gone, as III-C is printed. Default: 'smooth'."""
     @law.setter
     def law(self, value: typing.Literal["smooth", "bang_bang"]) -> None: ...
     @property
@@ -1537,6 +1707,21 @@ class TrackingSettings:
         """How far the COM may be ahead of its plan or behind it before the bang-bang law drives it back. A drive ends a little beyond the plan, since time is discrete; without a deadband that would start the next drive. Unit: m. Default: 0.0002."""
     @deadband.setter
     def deadband(self, value: float) -> None: ...
+    @property
+    def regain_from(self) -> float:
+        """How far the COM must be behind its plan, or ahead of it, before steps become longer or shorter to make up for it. A push can cost half a metre. Only with tied footsteps. Unit: m. Default: 0.08 z_c."""
+    @regain_from.setter
+    def regain_from(self, value: float) -> None: ...
+    @property
+    def regain_gain(self) -> float:
+        """Speed that those steps add per metre beyond regain_from. Unit: 1/s. Default: 0.14 / T_c."""
+    @regain_gain.setter
+    def regain_gain(self, value: float) -> None: ...
+    @property
+    def regain_speed(self) -> float:
+        """Largest speed that those steps add or take away. Unit: m/s. Default: 0.045 sqrt(g z_c)."""
+    @regain_speed.setter
+    def regain_speed(self, value: float) -> None: ...
 
 class RateSettings:
     """
@@ -1760,6 +1945,11 @@ class ControlSettings:
     @singular_pivot.setter
     def singular_pivot(self, value: float) -> None: ...
     @property
+    def singular_task(self) -> float:
+        """How far a task of your own may be from impossible before it is met in part only: the motion that it asks for is damped in directions in which the joints outside the legs move it by less than this share of its size. So it stays bounded where an arm is stretched out. With 0 nothing is damped. Default: 0.005."""
+    @singular_task.setter
+    def singular_task(self, value: float) -> None: ...
+    @property
     def friction_velocity(self) -> float:
         """Joint speed below which dry friction is taken as proportional to the speed, so that it does not jump where a joint turns around. Unit: rad/s. Default: 0.02."""
     @friction_velocity.setter
@@ -1842,7 +2032,7 @@ class VelocityProfile:
         self, t: typing.SupportsFloat | typing.SupportsIndex
     ) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        Velocity (3,) at time t [s]; the last value holds.
+        Velocity (3,) at time t [s]; after the last knot it stays as there.
         """
     @property
     def interpolation(self) -> str: ...
@@ -1915,7 +2105,7 @@ class Foot:
 
 class RobotDescription:
     """
-    What tells one robot from another; all addressing is by name.
+    Everything that the controller has to be told about a robot in a model. Bodies, joints and sites are named.
     """
     def __init__(
         self,
@@ -1932,11 +2122,11 @@ class RobotDescription:
     ) -> None: ...
     def check(self, model: typing.Any) -> None:
         """
-        Raises ModelError unless this robot is in `model` and can be walked.
+        Raises ModelError unless this robot is in `model` and can walk.
         """
     def drives(self, model: typing.Any) -> dict:
         """
-        Torque limit [N m], infinite without, and way of the torque (see WalkingController.torque_path), by joint name.
+        By joint name: torque limit [N m], infinite without, and the way that the torque takes into MuJoCo (see WalkingController.torque_path).
 
         Raises:
             ModelError: as check().
@@ -2212,12 +2402,12 @@ class Dynamics:
 
 class Robot:
     """
-    One robot inside a MuJoCo model: mjModel and mjData on one side, Dynamics on the other.
+    One robot in a MuJoCo model; it reads mjData into Dynamics.
     """
     def __init__(self, model: typing.Any, description: RobotDescription) -> None:
         """
         Raises:
-            ModelError: the robot cannot be walked.
+            ModelError: the robot cannot walk.
         """
     def read(self, data: typing.Any) -> Dynamics:
         """
@@ -2302,7 +2492,7 @@ class JointMotion:
 
 class ContactSpace:
     """
-    The contact space of the feet that stand: eq. 2 and 10-13.
+    How joint torques act on the ground through the standing feet: the contact space, eq. 2 and 9-13.
     """
     def __init__(
         self,
@@ -2331,32 +2521,32 @@ class ContactSpace:
     @property
     def Jbar_c(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"]:
         """
-        eq. 13 (nv, m)
+        dynamically consistent inverse of J_c, eq. 13 (nv, m)
         """
     @property
     def Lambda_c(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"]:
         """
-        eq. 10 (m, m)
+        contact inertia, eq. 10 (m, m)
         """
     @property
     def N_c(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"]:
         """
-        eq. 2 (nv, nv)
+        contact null space, eq. 2 (nv, nv)
         """
     @property
     def mu_c(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
         """
-        eq. 11 (m,)
+        velocity forces in contact space, eq. 11 (m,)
         """
     @property
     def p_c(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
         """
-        eq. 12 (m,)
+        gravity in contact space, eq. 12 (m,)
         """
 
 class TaskSpace:
     """
-    Eq. 1 and 3-7 as printed (with the erratum of (7)): the definition.
+    Equations 1 and 3-7 as they are printed, (7) corrected: their definition, which is slow.
     """
     def __init__(
         self,
@@ -2396,32 +2586,32 @@ class TaskSpace:
     @property
     def Jbar(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"]:
         """
-        eq. 4, transposed (nv, m)
+        dynamically consistent inverse of J, eq. 4 (nv, m)
         """
     @property
     def Lambda(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"]:
         """
-        eq. 3 (m, m)
+        task inertia under contact, eq. 3 (m, m)
         """
     @property
     def N_k(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"]:
         """
-        torques through it leave the tasks alone (joints, joints)
+        a joint torque that is multiplied by it leaves the tasks alone (joints, joints)
         """
     @property
     def V_n(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"]:
         """
-        internal torques (joints, m_c - 6)
+        torques that change nothing but the contact wrenches (joints, m_c - 6)
         """
     @property
     def mu(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
         """
-        eq. 5 (m,)
+        velocity forces in task space, eq. 5 (m,)
         """
     @property
     def p(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
         """
-        eq. 6 (m,)
+        gravity in task space, eq. 6 (m,)
         """
 
 class Plane:
@@ -2584,14 +2774,14 @@ class Task:
     @property
     def priority(self) -> int:
         """
-        tasks of smaller numbers come first
+        a task with a smaller number comes first
         """
     @priority.setter
     def priority(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None: ...
     @property
     def weight(self) -> float:
         """
-        share of its correction that is applied, more than 0 and at most 1
+        share of its correction that is applied, 0 to 1
         """
     @weight.setter
     def weight(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
@@ -2617,7 +2807,7 @@ class PoseReference:
     @property
     def acceleration(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[6, 1]"]:
         """
-        linear, angular (6,), fed forward
+        linear, angular (6,), fed forward [m/s^2, rad/s^2]
         """
     @acceleration.setter
     def acceleration(self, arg0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[6, 1]"]) -> None: ...
@@ -2659,7 +2849,7 @@ class FrameTask(Task):
     @property
     def reference(self) -> PoseReference:
         """
-        as of the last cycle
+        the reference of the last cycle
         """
 
 class JointTask(Task):
@@ -2688,13 +2878,13 @@ class JointTask(Task):
 
 class MomentumTask(Task):
     """
-    The angular momentum about the COM is brought to that of turning as the walk turns.
+    Keeps the angular momentum about the COM small: it is brought to that of one body which turns as the walk turns.
     """
     def __init__(self, axes: str = "yaw", kd: typing.SupportsFloat | typing.SupportsIndex = 20.0) -> None: ...
 
 class TaskState:
     """
-    What a task of your own is given: one instant. Good only while its compute(state) runs.
+    The robot at one instant, as a task of your own gets it. It may be used only while its compute(state) runs.
     """
     def frame(self, name: str) -> FrameState:
         """
@@ -2712,17 +2902,17 @@ class TaskState:
     @property
     def heading(self) -> float:
         """
-        of the walk, in W [rad]
+        heading of the walk in the world [rad]
         """
     @property
     def heading_rate(self) -> float:
         """
-        planned [rad/s]
+        planned rate at which the heading turns [rad/s]
         """
     @property
     def t(self) -> float:
         """
-        since the walk was reset [s]
+        time since the walk was reset [s]
         """
 
 class PythonTask(Task):
@@ -2733,7 +2923,7 @@ class PythonTask(Task):
 
 class TaskAccelerations:
     """
-    Commanded accelerations f* of the stacked tasks.
+    Commanded accelerations f* of the walk's own tasks.
     """
     def __init__(
         self,
@@ -2745,28 +2935,28 @@ class TaskAccelerations:
     @property
     def com(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        (3,) [m/s^2]
+        of the COM (3,) [m/s^2]
         """
     @com.setter
     def com(self, arg0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> None: ...
     @property
     def posture(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
         """
-        (joints,); leg entries are not used
+        of the joints (joints,); entries of leg joints are not used
         """
     @posture.setter
     def posture(self, arg0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"]) -> None: ...
     @property
     def swing(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[6, 1]"]:
         """
-        (6,), linear then angular, world axes
+        of the swing sole (6,), linear then angular, world axes
         """
     @swing.setter
     def swing(self, arg0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[6, 1]"]) -> None: ...
     @property
     def trunk(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        (3,), world axes [rad/s^2]
+        of the trunk's orientation (3,), world axes [rad/s^2]
         """
     @trunk.setter
     def trunk(self, arg0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> None: ...
@@ -2778,7 +2968,7 @@ class WholeBodyResult:
     @property
     def damped(self) -> bool:
         """
-        a leg was near singular
+        whether the motion was damped, since a leg was nearly straight
         """
     @property
     def ddq(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
@@ -2798,9 +2988,9 @@ class WholeBodyResult:
 
 class WholeBodyController:
     """
-    Contact-consistent whole-body control of a biped, eq. 1-7: COM, trunk, swing foot and posture, stacked.
+    Computes the joint torques of a biped that give COM, trunk, swing foot and posture their commanded accelerations while the standing feet keep still (eq. 1-7).
 
-    Everything is affine in the COM's horizontal acceleration: prepare() once, then zmp() and solve() cost next to nothing.
+    Everything is affine in the COM's horizontal acceleration: after one prepare(), zmp() and solve() cost next to nothing for each acceleration.
     """
     def __init__(
         self,
@@ -2867,7 +3057,7 @@ class WholeBodyController:
     @property
     def zmp_plane(self) -> Plane:
         """
-        Plane that the ZMP is taken on
+        plane on which the ZMP is taken
         """
     @property
     def zmp_slope(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 2]"]:
@@ -2894,12 +3084,12 @@ class ZmpEstimate:
 
 class ZmpEstimator:
     """
-    Eq. 9-15: the ZMP that a torque will produce, before it is sent. One or two standing feet.
+    Estimates the ZMP that a torque will produce, before it is sent (eq. 9-15), with one or two standing feet.
     """
     def __init__(self, nv: typing.SupportsInt | typing.SupportsIndex) -> None: ...
     def estimate(self, tau: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]) -> ZmpEstimate:
         """
-        ZMP and wrenches of joint torque (joints,) [N m].
+        ZMP and wrenches that the joint torque (joints,) [N m] will produce.
         """
     def update(
         self,
@@ -2916,7 +3106,7 @@ class ZmpEstimator:
         ground: typing.Annotated[collections.abc.Sequence[Plane], "FixedSize(2)"] = ...,
     ) -> None:
         """
-        Takes the state of one instant.
+        Takes the state of one instant; after that, `estimate` works for any torque.
 
         Args:
             A (nv, nv), b, g (nv,): inertia, velocity and gravity terms.
@@ -2932,12 +3122,12 @@ class ZmpEstimator:
     @property
     def zmp_plane(self) -> Plane:
         """
-        Plane that the ZMP is taken on: common_plane of the feet
+        plane on which the ZMP is taken: common_plane of the feet
         """
 
 class ReferenceResult:
     """
-    What III-B ends with.
+    What III-B ends with: the reference ZMP for the pendulum, and how good it is.
     """
     @property
     def converged(self) -> bool: ...
@@ -2946,17 +3136,17 @@ class ReferenceResult:
     @property
     def zmp_est(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 1]"]:
         """
-        (2,) [m]
+        estimated ZMP that it leads to (2,) [m]
         """
     @property
     def zmp_ref(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 1]"]:
         """
-        (2,) [m]
+        reference ZMP (2,) [m]
         """
 
 class LinearInvertedPendulum:
     """
-    x'' = (x - r) / T_c^2, T_c = sqrt(z_c / g).
+    The linear inverted pendulum: a point mass at height z_c over a ZMP at r, x'' = (x - r) / T_c^2 with T_c = sqrt(z_c / g).
 
     Usage:
         >>> LinearInvertedPendulum(0.747).step(0.001, 0.0, 0.25, -0.09)
@@ -2978,43 +3168,43 @@ class LinearInvertedPendulum:
         self, x: typing.SupportsFloat | typing.SupportsIndex, r: typing.SupportsFloat | typing.SupportsIndex
     ) -> float:
         """
-        (x - r) / T_c^2 [m/s^2].
+        Acceleration of the mass: (x - r) / T_c^2 [m/s^2].
         """
     def dcm(
         self, x: typing.SupportsFloat | typing.SupportsIndex, v: typing.SupportsFloat | typing.SupportsIndex
     ) -> float:
         """
-        x + T_c v [m].
+        Divergent component of motion (DCM), x + T_c v [m]: put the ZMP there, and the mass comes to rest over it.
         """
     def first_double_support(
         self, period: typing.SupportsFloat | typing.SupportsIndex, T_ss: typing.SupportsFloat | typing.SupportsIndex
     ) -> float:
         """
-        First double support from which the symmetric orbit starts at rest [s].
+        Length of the first double support with which a COM at rest between the feet gets onto the lateral orbit [s].
         """
     def orbit_inset(
         self, width: typing.SupportsFloat | typing.SupportsIndex, period: typing.SupportsFloat | typing.SupportsIndex
     ) -> float:
         """
-        How far the lateral orbit's DCM, half way between the feet, lies inside the foot to come [m].
+        How far inside the foot that takes over next the DCM of the lateral orbit is, when the COM is half way between the feet [m].
         """
     def orbit_offset(
         self, drift: typing.SupportsFloat | typing.SupportsIndex, period: typing.SupportsFloat | typing.SupportsIndex
     ) -> float:
         """
-        And along a drift of the feet's middle by `drift` a step [m].
+        How much further along that DCM is, where the middle between the feet moves sideways by `drift` in a step [m].
         """
     def orbit_velocity(
         self, drift: typing.SupportsFloat | typing.SupportsIndex, period: typing.SupportsFloat | typing.SupportsIndex
     ) -> float:
         """
-        Velocity of that orbit in the middle of a single support [m/s].
+        Lateral velocity of that orbit in the middle of a single support [m/s].
         """
     def reference_for(
         self, x: typing.SupportsFloat | typing.SupportsIndex, a: typing.SupportsFloat | typing.SupportsIndex
     ) -> float:
         """
-        r = x - T_c^2 a [m].
+        Reference ZMP that gives the acceleration a: r = x - T_c^2 a [m].
         """
     def reference_to_reach(
         self,
@@ -3042,7 +3232,7 @@ class LinearInvertedPendulum:
         w: typing.SupportsFloat | typing.SupportsIndex,
     ) -> tuple[float, float]:
         """
-        Eq. 17: (y_d, w_d), about a zero reference.
+        Eq. 17: (y_d, w_d) after dt [s] under a reference ZMP at zero.
         """
     def velocity_after(
         self,
@@ -3051,12 +3241,12 @@ class LinearInvertedPendulum:
         w: typing.SupportsFloat | typing.SupportsIndex,
     ) -> float:
         """
-        Eq. 18: w(T) [m/s].
+        Eq. 18: velocity w(T) after T [s] under a reference ZMP at zero [m/s].
         """
     @property
     def Tc(self) -> float:
         """
-        [s]
+        time constant T_c [s]
         """
     @property
     def omega(self) -> float:
@@ -3066,7 +3256,7 @@ class LinearInvertedPendulum:
 
 class VelocityTracker:
     """
-    Planned-velocity tracking along one axis, III-C.
+    Lets the velocity of the COM follow the planned one, along one axis (III-C).
     """
     def __init__(
         self,
@@ -3074,15 +3264,15 @@ class VelocityTracker:
         gain: typing.SupportsFloat | typing.SupportsIndex = 5.0,
         time: typing.SupportsFloat | typing.SupportsIndex = 0.05,
         deadband: typing.SupportsFloat | typing.SupportsIndex = 0.0002,
-        reach: typing.SupportsFloat | typing.SupportsIndex = ...,
+        catch_up_speed: typing.SupportsFloat | typing.SupportsIndex = ...,
     ) -> None:
         """
         Args:
-            law: 'smooth' or 'bang_bang' (the paper's).
+            law: a value of the setting tracking.law: 'smooth', or 'bang_bang' as the paper has it.
             gain: [1/s].
             time: [s].
             deadband: [m].
-            reach: largest |gain I| [m/s].
+            catch_up_speed: largest |gain I| [m/s].
 
         Raises:
             InputError.
@@ -3094,7 +3284,11 @@ class VelocityTracker:
         ahead: typing.SupportsFloat | typing.SupportsIndex = 0.0,
     ) -> float:
         """
-        Smooth law: (v_plan - gain (I - ahead) - v) / time [m/s^2]; ahead: what I is meant to be now [m].
+        Acceleration that the law asks of the pendulum [m/s^2]: (v_plan - gain (I - ahead) - v) / time in the smooth law.
+
+        Args:
+            v_plan, v: planned and current velocity [m/s].
+            ahead: value that the integral I is meant to have now [m].
         """
     def advance(
         self,
@@ -3109,7 +3303,7 @@ class VelocityTracker:
     @property
     def drive(self) -> int:
         """
-        bang-bang law: -1 ZMP to the lower bound, +1 to the upper, 0 track
+        where the law holds the ZMP: -1 on its lower bound, +1 on its upper one, 0 on neither
         """
     @property
     def integral(self) -> float:
@@ -3124,17 +3318,17 @@ class GaitOutput:
     @property
     def at_rest(self) -> bool:
         """
-        stands, and is not asked to walk
+        whether the robot stands and is not asked to walk
         """
     @property
     def foothold(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        (x, y, yaw)
+        where the swing foot is to land (x, y, yaw) [m, m, rad]; NaN in double support
         """
     @property
     def heading(self) -> float:
         """
-        of the walk, in the world [rad]
+        heading of the path in the world [rad]
         """
     @property
     def phase(self) -> int:
@@ -3144,59 +3338,59 @@ class GaitOutput:
     @property
     def phase_duration(self) -> float:
         """
-        [s]; it changes with events
+        length of the phase [s]; events change it
         """
     @property
     def phase_time(self) -> float:
         """
-        [s]
+        time since the phase began [s]
         """
     @property
     def standing(self) -> typing.Annotated[list[bool], "FixedSize(2)"]:
         """
-        (left, right)
+        whether each foot stands (left, right)
         """
     @property
     def step(self) -> int: ...
     @property
     def support(self) -> int:
         """
-        +1 left, -1 right
+        foot that carries the ZMP: +1 left, -1 right
         """
     @property
     def swing_acceleration(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        (3,) [m/s^2]
+        desired acceleration of the swing sole (3,) [m/s^2]
         """
     @property
     def swing_position(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        (3,) [m]
+        desired place of the swing sole (3,) [m]
         """
     @property
     def swing_velocity(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        (3,) [m/s]
+        desired velocity of the swing sole (3,) [m/s]
         """
     @property
     def v_plan(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        planned velocity (v_x, v_y, w_z)
+        planned velocity (v_x, v_y, w_z) in the heading frame
         """
     @property
     def w_T(self) -> float:
         """
-        eq. 18 [m/s]
+        w(T) of eq. 18 while a switch of the support is awaited, else NaN [m/s]
         """
     @property
     def zmp_lateral(self) -> float:
         """
-        reference ZMP along the support frame's y [m]
+        reference ZMP from the support sole's centre, along the y axis of the heading frame [m]
         """
 
 class GaitGenerator:
     """
-    Phases, support switch, footholds and swing foot, from time and the COM alone.
+    The gait: it decides from time and COM which foot stands, when the support switches, where feet land and how the swing foot moves there.
     """
     def __init__(
         self,
@@ -3224,7 +3418,7 @@ class GaitGenerator:
         """
     def command(self, velocity: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> None:
         """
-        From the next cycle on towards (v_x, v_y, w_z), whatever the profile says.
+        Commands a velocity: from the next cycle on the plan goes towards (v_x, v_y, w_z), whatever the profile says.
         """
     def reset(
         self,
@@ -3239,7 +3433,7 @@ class GaitGenerator:
         """
     def retime(self, remaining: typing.SupportsFloat | typing.SupportsIndex) -> None:
         """
-        The phase under way at the last cycle ends `remaining` [s] after that cycle, whatever it was to take.
+        Lets the phase of the last cycle end `remaining` [s] after that cycle, however long it was to take.
 
         Raises:
             InputError: `remaining` is not finite and > 0.
@@ -3255,7 +3449,7 @@ class GaitGenerator:
         contact: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"] = ...,
     ) -> GaitOutput:
         """
-        One cycle at time t [s]. `contact` (2,) of the left and the right foot with the ground: 1 touching, 0 not, NaN unknown; it ends a step where the setting touch_down is 'contact'.
+        Goes on by one cycle, at time t [s]. `contact` (2,) says whether the left and the right foot touch the ground: 1 yes, 0 no, NaN unknown; it ends a step where the setting touch_down is 'contact'.
         """
     @property
     def settings(self) -> WalkSettings:
@@ -3267,7 +3461,7 @@ class State:
     """
     What a control cycle knows of the robot: measured, estimated, or read from a simulator. Plain numbers.
 
-    `controller.state(data)` makes one from a simulator; whoever has numbers from elsewhere fills one in.
+    `controller.state(data)` makes one from a simulator's data; with numbers from elsewhere, fill one in yourself.
     """
     def __copy__(self) -> State: ...
     def __init__(
@@ -3293,7 +3487,7 @@ class State:
     @property
     def contact(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 1]"]:
         """
-        1 where a foot touches the ground, 0 where it does not, NaN where nobody knows; left and right (2,)
+        1 where a foot touches the ground, 0 where it does not, NaN where it is unknown; left and right (2,)
         """
     @contact.setter
     def contact(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"]) -> None: ...
@@ -3584,9 +3778,9 @@ class CycleOutput:
 
 class WalkingController:
     """
-    One update(data) -> CycleOutput per physics step: state in, torque out.
+    The walking controller: update(data) takes the state of the robot and gives the joint torques.
 
-    Takes eq. (16) for the desired COM state, (1)-(8) for the torque, (9)-(15) for the ZMP it will produce, III-B to correct it.
+    Each cycle takes eq. (16) for the desired COM state, (1)-(8) for the torque, (9)-(15) for the ZMP that it will produce, and III-B to correct it.
     """
     def __init__(
         self,
@@ -3608,7 +3802,7 @@ class WalkingController:
         """
     def add(self, task: Task, blend: typing.SupportsFloat | typing.SupportsIndex = ...) -> None:
         """
-        The task is met from now on; see the package's WalkingController.
+        Adds a task that the robot fulfils while it walks; see the package's WalkingController.
         """
     def command(
         self,
@@ -3617,10 +3811,11 @@ class WalkingController:
         wz: typing.SupportsFloat | typing.SupportsIndex = 0.0,
     ) -> None:
         """
-        From the next cycle on, walk with (vx, vy, wz) in the heading frame instead of the profile's velocity; until reset().
+        Commands a velocity: from the next cycle on the robot walks with (vx, vy, wz) in the heading frame instead of the profile's
+        velocity, until reset().
 
-        May be called from any thread, at any time. What the legs cannot reach is scaled down to `within_reach`; how fast the
-        robot takes a command up is limited (settings forward_jump, forward_acceleration, ...).
+        It may be called from any thread, at any time. A velocity that the legs cannot reach is scaled down (`within_reach`), and the
+        robot takes it up no faster than the settings forward_jump, forward_acceleration, ... allow.
 
         Args:
             vx, vy: [m/s].
@@ -3631,11 +3826,11 @@ class WalkingController:
         """
     def knee_share(self, speed: typing.SupportsFloat | typing.SupportsIndex) -> float:
         """
-        Share of the knee's torque limit that its own rotor and damping take at lift-off, walking at speed [m/s].
+        Share of the knee's torque limit that its own rotor and damping take as the foot lifts, at a walking speed [m/s].
         """
     def move(self, motion: JointMotion) -> None:
         """
-        Joints outside the legs, and the trunk, follow `motion` from now on; see the package's WalkingController.
+        Lets joints outside the legs, and the trunk, follow `motion` from now on; see the package's WalkingController.
         """
     def plan(
         self,
@@ -3643,7 +3838,7 @@ class WalkingController:
         dt: typing.SupportsFloat | typing.SupportsIndex = 0.01,
     ) -> dict:
         """
-        Footsteps, COM and ZMP ahead of time, for a robot that does as it is told, from where the last reset was.
+        Computes footsteps, COM and ZMP ahead of time, for a robot that follows them exactly, from the state of the last reset.
 
         Args:
             duration: [s].
@@ -3658,32 +3853,32 @@ class WalkingController:
         """
     def plan_mismatch(self, duration: typing.SupportsFloat | typing.SupportsIndex) -> float:
         """
-        Largest speed of the footsteps minus the planned one within `duration` [s]; 0 where steps follow the profile [m/s].
+        Largest difference between the speed of the footsteps and the planned one within `duration` [s], in m/s; 0 where the steps follow the plan.
         """
     def reach_share(self, velocity: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> float:
         """
-        Share of the legs' reach that walking with velocity (v_x, v_y, w_z) takes; at most 1 can be walked.
+        Share of the legs' reach that walking with velocity (v_x, v_y, w_z) uses; the robot can walk where it is at most 1.
         """
     def remove(self, task: Task, blend: typing.SupportsFloat | typing.SupportsIndex = ...) -> None:
         """
-        The task loses its effect; see the package's WalkingController.
+        Takes a task away; see the package's WalkingController.
         """
     @typing.overload
     def reset(self, state: State) -> None:
         """
-        Starts a walk from a State; moves nothing.
+        Starts a walk from a State, and moves nothing yet.
         """
     @typing.overload
     def reset(self, data: typing.Any) -> None:
         """
-        Reads the state and starts a walk there; moves nothing.
+        Starts a walk from the state in `data`, and moves nothing yet.
 
         Raises:
             InputError: the state is not finite.
         """
     def retime(self, remaining: typing.SupportsFloat | typing.SupportsIndex) -> None:
         """
-        The phase under way, single or double support, ends `remaining` [s] after the last cycle; the swing foot goes on from where
+        Lets the present phase, single or double support, end `remaining` [s] after the last cycle; the swing foot goes on from where
         it is without a jump. Call it between cycles.
 
         Raises:
@@ -3705,7 +3900,7 @@ class WalkingController:
     @typing.overload
     def update(self, state: State) -> CycleOutput:
         """
-        Computes the torque for a State, in the output's `tau`; changes nothing outside the controller.
+        Computes the torque for a State and returns it as `tau`; nothing outside the controller changes.
         """
     @typing.overload
     def update(
@@ -3716,16 +3911,16 @@ class WalkingController:
         contact: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"] | None = None,
     ) -> CycleOutput:
         """
-        Computes the torque for the state in `data`, writes data.ctrl, returns a copy of what was decided.
+        Computes the torque for the state in `data`, writes the control that gives it into `data`, and returns what was decided (a copy).
 
         Args:
             data: mujoco.MjData.
-            after_step1: mj_step1 (or mj_forward) has just run for this state, so that `data` holds kinematics,
+            after_step1: True where mj_step1 (or mj_forward) has just run for this state, so that `data` holds kinematics,
                 inertia and bias forces already; the torque has the same bits, in half the time.
             external: known forces on the robot, {body or site: (6,) force and moment at its frame's origin, world axes
                 [N, N m]}; None where there are none.
-            contact: (left, right), 1 where a foot touches the ground, 0 where it does not, NaN where nobody knows; None reads
-                data's own contacts of the last step, where the setting `touch_down` asks for them.
+            contact: (left, right), 1 where a foot touches the ground, 0 where it does not, NaN where it is unknown; None reads
+                the contacts of the last step from `data`, if the setting `touch_down` needs them.
 
         Raises:
             InputError: the state is not finite, its terms belong to another, or reset() was not called; nothing is
@@ -3744,22 +3939,22 @@ class WalkingController:
         typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 1]"],
     ]:
         """
-        Designed bounds (lower, upper), each (2,), in the sole's axes about its centre [m].
+        Bounds of the ZMP (lower, upper), each (2,), in the sole's axes about its centre [m].
         """
     @property
     def Tc(self) -> float:
         """
-        sqrt(z_c / g) [s]
+        time constant of the pendulum, sqrt(z_c / g) [s]
         """
     @property
     def arm_joints(self) -> list[str]:
         """
-        joints outside the legs that carry less than a fifth of the robot's mass: arms, not the waist
+        joints that count as those of arms: they are outside the legs and carry less than a fifth of the robot's mass
         """
     @property
     def com_height(self) -> float:
         """
-        z_c over the soles [m]
+        height z_c of the COM over the soles [m]
         """
     @property
     def cycles(self) -> int:
@@ -3773,7 +3968,7 @@ class WalkingController:
     @property
     def mass(self) -> float:
         """
-        [kg]
+        mass of the robot [kg]
         """
     @property
     def motion(self) -> JointMotion: ...
@@ -3782,7 +3977,7 @@ class WalkingController:
     @property
     def settings(self) -> WalkSettings:
         """
-        WalkSettings in force, every NaN filled in
+        the WalkSettings of this walk; every NaN has the robot's value
         """
     @property
     def speed_limit(self) -> float:
@@ -3792,12 +3987,12 @@ class WalkingController:
     @property
     def task_activations(self) -> list[float]:
         """
-        how far each added task acts, in the order of their priority: from 0 to its weight
+        how far each added task acts now, from 0 to its weight, in the order of their priority
         """
     @property
     def torque_limit(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
         """
-        (nu,) [N m]
+        torque limit of each joint, infinite without (joints,) [N m]
         """
     @property
     def torque_path(self) -> dict:
@@ -3854,17 +4049,176 @@ class RecordedColumn:
 
 class Recorder:
     """
-    Cycle records as columns; row k is the state before step k and what was decided there.
+    Keeps what cycles record as columns. Row k holds the state before step k and what was decided for it.
     """
     def __init__(self, controller: WalkingController) -> None: ...
     def __len__(self) -> int: ...
     def add(self, out: CycleOutput, data: typing.Any) -> None:
         """
-        Adds one row; call right after mj_step, while `data` holds the contact forces of this cycle. Held cycles add none.
+        Adds one row. Call it right after mj_step, while `data` holds the contact forces of this cycle. A cycle that held an earlier torque adds none.
         """
     def columns(self) -> dict:
         """
         Columns by name, (T,) or (T, n): a copy.
+        """
+
+class SensorNoise:
+    """
+    Standard deviations of what is measured; white and Gaussian.
+    """
+    def __init__(self) -> None: ...
+    @property
+    def attitude(self) -> float:
+        """
+        Of the base, about each of its axes [rad].
+        """
+    @attitude.setter
+    def attitude(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
+    @property
+    def base_speed(self) -> float:
+        """
+        Along each axis [m/s].
+        """
+    @base_speed.setter
+    def base_speed(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
+    @property
+    def gyro(self) -> float:
+        """
+        Angular velocity of the base [rad/s].
+        """
+    @gyro.setter
+    def gyro(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
+    @property
+    def joint(self) -> float:
+        """
+        Joint positions [rad].
+        """
+    @joint.setter
+    def joint(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
+    @property
+    def joint_speed(self) -> float:
+        """
+        [rad/s]
+        """
+    @joint_speed.setter
+    def joint_speed(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
+
+class SignalUncertainty:
+    """
+    What lies between a robot and its controller: noise, bias, delays, lag. `zmpwalk.Uncertainty` makes it.
+    """
+    def __init__(self) -> None: ...
+    @property
+    def lag(self) -> float:
+        """
+        Time constant with which a drive takes a torque up [s].
+        """
+    @lag.setter
+    def lag(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
+    @property
+    def noise(self) -> SensorNoise:
+        """
+        Of the sensors.
+        """
+    @noise.setter
+    def noise(self, arg0: SensorNoise) -> None: ...
+    @property
+    def pitch_bias(self) -> float:
+        """
+        The same about its y [rad].
+        """
+    @pitch_bias.setter
+    def pitch_bias(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
+    @property
+    def roll_bias(self) -> float:
+        """
+        Of the measured attitude, about the base's x [rad].
+        """
+    @roll_bias.setter
+    def roll_bias(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
+    @property
+    def seed(self) -> int:
+        """
+        Of the noise.
+        """
+    @seed.setter
+    def seed(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None: ...
+    @property
+    def state_delay(self) -> float:
+        """
+        Age of what is measured [s].
+        """
+    @state_delay.setter
+    def state_delay(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
+    @property
+    def torque_delay(self) -> float:
+        """
+        From a torque's decision to its effect [s].
+        """
+    @torque_delay.setter
+    def torque_delay(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
+
+class Simulation:
+    """
+    The closed loop in C++ from the start pose, the interpreter's lock released. It may be run in several stretches.
+    """
+    def __init__(
+        self, controller: WalkingController, uncertainty: SignalUncertainty = ..., simulated: typing.Any = None
+    ) -> None:
+        """
+        Args:
+            uncertainty: what lies between robot and controller.
+            simulated: the model that is simulated, None where it is the controller's.
+
+        Raises:
+            ModelError, InputError.
+        """
+    def push(
+        self,
+        t: typing.SupportsFloat | typing.SupportsIndex,
+        duration: typing.SupportsFloat | typing.SupportsIndex,
+        body: str,
+        wrench: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[6, 1]"],
+    ) -> None:
+        """
+        A constant force and torque on a body, at its centre of mass, in [t, t + duration).
+
+        Args:
+            t, duration: [s].
+            body: a name; "" takes the trunk.
+            wrench: force, then torque, world axes (6,) [N, N m].
+
+        Raises:
+            InputError.
+        """
+    def run(
+        self,
+        duration: typing.SupportsFloat | typing.SupportsIndex,
+        on_progress: typing.Any = None,
+        command: typing.Any = None,
+        command_interval: typing.SupportsFloat | typing.SupportsIndex = 0.02,
+        on_fall: str = "stop",
+    ) -> tuple:
+        """
+        Walks on for `duration`.
+
+        Args:
+            duration: [s].
+            on_progress: called as f(t, duration) about 20 times a second; may raise.
+            command: called as f(t, out) after the first cycle and then every `command_interval` [s]; returns
+                (vx, vy, wz) or None, which leaves the command as it is; StopIteration ends the run.
+            on_fall: "stop" ends where the controller says that the robot has fallen, "go_on" only where it lies on the ground.
+
+        Returns:
+            (columns, info) of this stretch.
+
+        Raises:
+            InputError; whatever a callback raises; KeyboardInterrupt.
+        """
+    @property
+    def time(self) -> float:
+        """
+        Simulated time [s].
         """
 
 def benchmark_cycle(
@@ -3877,7 +4231,7 @@ def benchmark_cycle(
     on_progress: typing.Any = None,
 ) -> dict:
     """
-    Times the parts of every cycle of a walk side by side.
+    Times the parts of a control cycle while a robot walks, all in the same cycles.
 
     Args:
         duration: simulated time [s].
@@ -3973,12 +4327,12 @@ def iterate_reference(
     max_passes: typing.SupportsInt | typing.SupportsIndex = 200,
 ) -> ReferenceResult:
     """
-    The loop of III-B: r_ref <- r_ref + r_des - r_est(r_ref).
+    The loop of III-B: it adds r_des - r_est(r_ref) to the reference r_ref until the estimate is the desired ZMP.
 
     Args:
-        estimate: callable (2,) -> (2,).
+        estimate: callable, reference ZMP (2,) -> estimated ZMP (2,) [m].
         zmp_des: (2,) [m].
-        threshold: [m].
+        threshold: largest difference that is good enough [m].
     """
 
 def measured_zmp(
@@ -3996,7 +4350,7 @@ def measured_zmp(
 @typing.overload
 def model_reasons(model: typing.Any, description: RobotDescription | None = None) -> list:
     """
-    All that keeps a robot from walking: (rule, sentence) pairs, none where nothing does.
+    Every reason why a robot cannot walk, as (rule, sentence) pairs; the list is empty where it can.
 
     Args:
         description: the robot to look at; None looks at the world alone: gravity, time step, contacts, and a tree with most of the joints that is fixed to the world.
@@ -4039,20 +4393,10 @@ def simulate(
     command_interval: typing.SupportsFloat | typing.SupportsIndex = 0.02,
 ) -> tuple:
     """
-    Closed loop in C++ from the start pose, the interpreter's lock released.
-
-    Args:
-        controller: WalkingController.
-        duration: [s].
-        on_progress: called as f(t, duration) about 20 times a second; may raise.
-        command: called as f(t, out) after the first cycle and then every `command_interval` [s]; returns
-            (vx, vy, wz) or None, which leaves the command as it is; StopIteration ends the run.
-
-    Returns:
-        (columns, info).
+    A whole walk: `Simulation(controller).run(duration, ...)`.
 
     Raises:
-        InputError; whatever a callback raises; KeyboardInterrupt.
+        as there.
     """
 
 def solve_reference(
@@ -4065,7 +4409,12 @@ def solve_reference(
     threshold: typing.SupportsFloat | typing.SupportsIndex = 0.001,
 ) -> ReferenceResult:
     """
-    The fixed point of that loop in closed form, for an affine estimate.
+    Where the loop of `iterate_reference` ends, in closed form, for an estimate that is affine in the reference.
+    """
+
+def trunk_body(controller: WalkingController) -> str:
+    """
+    Name of the body that a push is given to where none is named.
     """
 
 def yaw_momentum(dynamics: Dynamics) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
@@ -4087,7 +4436,7 @@ def zmp_bounds(
     typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 1]"],
 ]:
     """
-    Designed bounds of the ZMP about the sole's centre (lower, upper), each (2,) [m].
+    Bounds of the ZMP in one sole, from its size and the torque of the ankle: (lower, upper) about the sole's centre, each (2,) [m].
     """
 
 def zmp_of_wrench(

@@ -17,6 +17,8 @@ from .figures import FILES
 from .figures.footprints import footprints
 from .figures.iteration import iteration
 from .figures.position import lateral, sagittal
+from .figures.pushes import pushes
+from .figures.robustness import robustness
 from .figures.style import BOUND, COM, DESIRED, ESTIMATED, FAINT, MEASURED, PLANNED, SOLE, STYLE, WIDTH, WalkFigure
 from .figures.switch import switch
 from .figures.velocity import tracking, velocity
@@ -42,6 +44,8 @@ __all__ = [
     "footprints",
     "iteration",
     "lateral",
+    "pushes",
+    "robustness",
     "sagittal",
     "save_all",
     "switch",

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import hashlib
+import inspect
 import math
 import os
 import platform
 import threading
 from concurrent.futures import FIRST_EXCEPTION, ThreadPoolExecutor, wait
+from dataclasses import dataclass, field
 from typing import Any, Callable, Iterable, Mapping, Sequence, Union
 
 import mujoco
@@ -15,11 +17,13 @@ import numpy as np
 
 from . import _core, tasks
 from ._build import VERSION
+from .disturbances import Push, Pushes, Uncertainty, pushes_of, uncertainty_of
 from .errors import InputError
 from .given import Settings, settings_of
 from .motion import JointMotion
 from .profiles import Profile, VelocityProfile, profile_of, three
 from .robots import Robot, RobotDescription, describe, description_to_dict, load_robot
+from .robots.load import read_robot
 from .trace import Trace, model_bytes, plain
 
 __all__ = ["Recorder", "WalkingController", "simulate", "simulate_batch"]
@@ -27,6 +31,7 @@ __all__ = ["Recorder", "WalkingController", "simulate", "simulate_batch"]
 Progress = Callable[[float, float], None]
 Steer = Callable[[float, Any], Union[float, Sequence[float], None]]
 COMMAND_INTERVAL = 0.02  # between calls of `command` [s]
+ON_FALL = ("stop", "go_on")
 _NO_MOTION = _core.JointMotion([0.0], [], np.zeros((1, 0)))
 
 
@@ -236,6 +241,10 @@ def simulate(
     motion: _core.JointMotion | None = None,
     command: Steer | None = None,
     tasks: Sequence[Any] = (),
+    push: Pushes = (),
+    on_fall: str = "stop",
+    uncertainty: Uncertainty | Mapping[str, Any] | None = None,
+    simulated: Robot | None = None,
 ) -> Trace:
     """Walk a robot in MuJoCo, wholly in C++, and return what was recorded.
 
@@ -249,30 +258,45 @@ def simulate(
         duration: simulated time [s], positive.
         settings: `WalkSettings`, a dictionary of changes, a law's name or a TOML file; None takes `WalkSettings()`.
         on_progress: called about ten times a second with (t, duration) [s]; what it raises stops the run and passes on.
-        seed: kept in the trace; nothing is random yet.
+        seed: of all that is random: the noise of the sensors, the links that `uncertainty` changes.
         motion: what arms, waist and trunk do meanwhile (`WalkingController.move`); None keeps them in the start pose.
         command: called as f(t [s], out) with the `CycleOutput` of the first cycle and then every 0.02 s of simulated
             time. It returns the velocity to walk with from the next cycle on (`WalkingController.command`): vx or
             (vx, vy, wz) in the heading frame [m/s, m/s, rad/s]. None leaves the command as it is; until the first
             command the profile leads. StopIteration ends the walk; any other exception stops the run and passes on.
         tasks: tasks that the robot fulfils besides walking, from the start (`WalkingController.add`).
+        push: forces from outside, each (t [s], duration [s], body, force [N]): a constant force (fx, fy, fz) in the
+            world's axes, or with a torque (fx, fy, fz, tx, ty, tz) [N m], at the centre of mass of a body during
+            [t, t + duration). The body None is the trunk: the first body whose name holds "torso" or "trunk", else
+            the root body. The controller is not told.
+        on_fall: "stop" ends the walk where the controller says that the robot has fallen. "go_on" takes this for an
+            alarm, which `meta["alarm_time"]` keeps, and ends only where the robot lies on the ground (something beside
+            its legs touches it, or the COM has come down to 30 % of its height) or is not finite: these alone are
+            falls then.
+        uncertainty: what the controller does not know, or not in time: an `Uncertainty`, or a dictionary of its fields.
+        simulated: the robot that is simulated, where it is not the one that the controller knows: it must have the
+            bodies that the description names, and the same joints in the same order. `uncertainty` changes this one.
 
     Returns:
         The trace, one row per control cycle.
 
     Raises:
-        InputError: a duration, setting, speed or command breaks its rule.  ModelError: the robot cannot walk.
+        InputError: a duration, setting, speed, command, push or uncertainty breaks its rule.
+        ModelError: the robot cannot walk, or the simulated one does not fit the controller's.
         KeyboardInterrupt: Ctrl-C, within 0.1 s.
 
     Usage: `trace = zmpwalk.simulate("mahru", profile=0.2, duration=10, settings={"step_height": 0.05})`
         `zmpwalk.simulate(profile=0.0, command=lambda t, out: (0.2, 0.0, 0.3 - out.heading))`
+        `zmpwalk.simulate(duration=12, push=[(4.0, 0.08, None, (0, 100, 0))], on_fall="go_on")`
+        `zmpwalk.simulate(uncertainty={"noise": 1, "torque_delay": 0.004}, seed=3)`
     """
     model, description = load_robot(robot)
     controller = WalkingController(model, description, settings, profile)
     controller.move(motion)
     for task in tasks:
         controller.add(task)
-    return run(controller, duration, on_progress, seed, name_of(robot), command)
+    outside = Outside.of(controller, seed, push, on_fall, uncertainty, simulated)
+    return run(controller, duration, on_progress, seed, name_of(robot), command, outside=outside)
 
 
 def simulate_batch(
@@ -299,10 +323,10 @@ def simulate_batch(
     Usage: `simulate_batch([{"profile": v, "seed": i} for i, v in enumerate(speeds)])`
     """
     if threads is None:
-        threads = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+        threads = processors()
     if isinstance(threads, bool) or not isinstance(threads, (int, np.integer)) or threads < 1:
         raise InputError(f"threads is {threads!r}; it must be an integer of at least 1")
-    known = ("robot", "profile", "duration", "settings", "seed", "motion", "command", "tasks")
+    known = tuple(name for name in inspect.signature(simulate).parameters if name != "on_progress")
     robots: dict[Any, tuple[mujoco.MjModel, RobotDescription]] = {}
     jobs = []
     runs = list(runs)  # keeps models alive that are told apart by their id
@@ -319,7 +343,12 @@ def simulate_batch(
         for task in given.get("tasks", ()):
             controller.add(task)
         duration, seed = check_duration(given.get("duration", 8.0)), _check_seed(given.get("seed", 0))
-        jobs.append((controller, duration, seed, name_of(robot), given.get("command")))
+        outside = Outside.of(
+            controller, seed, given.get("push", ()), given.get("on_fall", "stop"), given.get("uncertainty"),
+            given.get("simulated"),
+        )  # fmt: skip
+        outside.simulation(controller)  # what is wrong with it is said before the first walk begins
+        jobs.append((controller, duration, seed, name_of(robot), given.get("command"), outside))
 
     done, total = [0.0] * len(jobs), sum(job[1] for job in jobs)
     stop = threading.Event()
@@ -330,9 +359,9 @@ def simulate_batch(
             if stop.is_set():
                 raise _Stopped
 
-        controller, duration, seed, label, command = jobs[i]
+        controller, duration, seed, label, command, outside = jobs[i]
         at(0.0, duration)
-        trace = run(controller, duration, at, seed, label, command)
+        trace = run(controller, duration, at, seed, label, command, outside=outside)
         done[i] = duration
         return trace
 
@@ -352,6 +381,11 @@ def simulate_batch(
     return [future.result() for future in futures]
 
 
+def processors() -> int:
+    """How many processors this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
 class _Stopped(Exception):
     """Ends a walk whose batch has ended."""
 
@@ -364,6 +398,7 @@ def run(
     robot: str | None = None,
     command: Steer | None = None,
     command_interval: float = COMMAND_INTERVAL,
+    outside: Outside | None = None,
 ) -> Trace:
     """`simulate` with a controller that exists already; `robot` is the name that the trace carries.
 
@@ -375,11 +410,75 @@ def run(
     progress = on_progress or (lambda t, duration: None)
     steer: Any = None if command is None else lambda t, out: _velocity(command(t, out))
     controller._begin_tasks_anew()
-    columns, info = _core.simulate(controller, duration, progress, steer, command_interval)
+    outside = outside or Outside()
+    columns, info = outside.simulation(controller).run(duration, progress, steer, command_interval, outside.on_fall)
     if info["stopped"]:
         duration = len(columns["t"]) * float(controller.settings.control_dt)
-    model, meta = _describe_run(controller, robot, info, source="simulate", seed=seed, requested_duration=duration)
-    return Trace(columns, meta, model, copy=False)
+    model, meta = _describe_run(
+        controller, robot, info, source="simulate", seed=seed, requested_duration=duration, **outside.to_dict()
+    )
+    simulated = None if outside.simulated is None else model_bytes(outside.simulated)
+    return Trace(columns, meta, model, copy=False, simulated=simulated)
+
+
+@dataclass(frozen=True)
+class Outside:
+    """What acts on a walk from outside the controller, ready to be simulated and to be told by a trace."""
+
+    push: Sequence[Push] = ()
+    on_fall: str = "stop"
+    uncertainty: Uncertainty = field(default_factory=Uncertainty)
+    simulated: mujoco.MjModel | None = None
+    """in truth, `uncertainty` included; None where it is the controller's model"""
+    seed: int = 0
+
+    @classmethod
+    def of(
+        cls,
+        controller: WalkingController,
+        seed: int = 0,
+        push: Pushes = (),
+        on_fall: str = "stop",
+        uncertainty: Uncertainty | Mapping[str, Any] | None = None,
+        simulated: Robot | None = None,
+    ) -> Outside:
+        """From the arguments of `simulate`, checked as far as can be without a simulation."""
+        if on_fall not in ON_FALL:
+            raise InputError(f"on_fall is {on_fall!r}; it must be {' or '.join(ON_FALL)}")
+        pushes = [each._replace(body=each.body or _core.trunk_body(controller)) for each in pushes_of(push)]
+        unsure = uncertainty_of(uncertainty)
+        model = None if simulated is None else read_robot(simulated)[0]
+        if unsure.changes_model:
+            known = controller.model if model is None else model
+            foot = mujoco.mj_name2id(known, mujoco.mjtObj.mjOBJ_BODY, controller.description.left.body)
+            model = unsure.changed(known, int(known.body_rootid[max(foot, 0)]), _check_seed(seed))
+        return cls(pushes, on_fall, unsure, model, _check_seed(seed))
+
+    @classmethod
+    def again(cls, trace: Trace) -> Outside:
+        """What acted on the walk of a trace."""
+        meta = trace.meta
+        return cls(
+            pushes_of(meta.get("push", ())), meta.get("on_fall", "stop"), uncertainty_of(meta.get("uncertainty")),
+            trace.simulated_model if meta.get("simulated_sha256") else None, meta.get("seed", 0),
+        )  # fmt: skip
+
+    def simulation(self, controller: WalkingController) -> _core.Simulation:
+        """A new one with all of this."""
+        simulation = _core.Simulation(controller, self.uncertainty.signals(self.seed), self.simulated)
+        for each in self.push:
+            simulation.push(each.t, each.duration, each.body or "", [*each.force, 0.0, 0.0, 0.0][:6])
+        return simulation
+
+    def to_dict(self) -> dict[str, Any]:
+        """As the meta data of a trace keep it."""
+        sha = None if self.simulated is None else hashlib.sha256(model_bytes(self.simulated)).hexdigest()
+        return {
+            "push": [list(each) for each in self.push],
+            "on_fall": self.on_fall,
+            "uncertainty": self.uncertainty.to_dict(),
+            "simulated_sha256": sha,
+        }
 
 
 def _velocity(v: float | Sequence[float] | None) -> np.ndarray | None:
@@ -433,7 +532,7 @@ def rerun(trace: Trace, on_progress: Progress | None = None) -> Trace:
             return given.get(t)
 
         steer = command if given or trace.meta.get("tasks") else None
-        return run(controller, duration, on_progress, seed, robot, steer, command_interval=0.0)
+        return run(controller, duration, on_progress, seed, robot, steer, 0.0, Outside.again(trace))
     data = mujoco.MjData(model)
     set_state(trace, model, data, 0)
     data.time = trace.t[0]
@@ -512,6 +611,8 @@ def _describe_run(
         "fell": fell,
         "fall_time": float(info["fall_time"]) if fell else None,
         "fall_cause": str(info["fall_cause"] or "") if fell else "",
+        "alarm_time": info.get("alarm_time") if info.get("alarm_cause") else None,
+        "alarm_cause": info.get("alarm_cause", ""),
         "timing": _timing(info, control_dt),
     }
     return compiled, plain(meta)

@@ -53,6 +53,7 @@ class Trace(RecordedColumns, Mapping):
         meta: plain dictionaries, lists, strings, numbers.
         model: bytes of the compiled model (`mj_saveModel`), so that `rerun` works; None if unknown.
         copy: False keeps float arrays as they are given, for a caller who gives them away.
+        simulated: bytes of the model that was simulated, where it is not the controller's.
 
     Raises:
         InputError: no column `t`.  DimensionError: columns of different length, or a known one of another width.
@@ -66,6 +67,7 @@ class Trace(RecordedColumns, Mapping):
         meta: dict[str, Any] | None = None,
         model: bytes | None = None,
         copy: bool = True,
+        simulated: bytes | None = None,
     ):
         if "t" not in columns:
             raise InputError(f"a trace needs the column 't'; it has {', '.join(columns) or 'none'}")
@@ -80,7 +82,7 @@ class Trace(RecordedColumns, Mapping):
             array.flags.writeable = False
             self._columns[name] = array
         self.meta: dict[str, Any] = {"format_version": FORMAT_VERSION, **plain(meta or {})}
-        self._model = model
+        self._model, self._simulated = model, simulated
 
     # --- a mapping with attributes
 
@@ -203,22 +205,34 @@ class Trace(RecordedColumns, Mapping):
 
     @property
     def model(self) -> mujoco.MjModel:
-        """The model that was simulated, from the bytes inside the trace.
+        """The model that the controller knew, from the bytes inside the trace: as a rule the one that was simulated.
 
         Raises:
             ModelError: the trace has no model, or one of another MuJoCo version (compiled models are only good for
             their own).
         """
-        if self._model is None:
+        return self._read(self._model, "model_sha256")
+
+    @property
+    def simulated_model(self) -> mujoco.MjModel:
+        """The model that was simulated; `model` where the controller knew it.
+
+        Raises:
+            ModelError: as `model`.
+        """
+        return self.model if self._simulated is None else self._read(self._simulated, "simulated_sha256")
+
+    def _read(self, compiled: bytes | None, sha: str) -> mujoco.MjModel:
+        if compiled is None:
             raise ModelError("this trace carries no model: it can be plotted but not run again")
         made_by = self.meta.get("versions", {}).get("mujoco")
         if made_by != mujoco.__version__:
             raise ModelError(
                 f"this trace was made by MuJoCo {made_by}, whose compiled model MuJoCo {mujoco.__version__} cannot read"
             )
-        if hashlib.sha256(self._model).hexdigest() != self.meta.get("model_sha256"):
+        if hashlib.sha256(compiled).hexdigest() != self.meta.get(sha):
             raise ModelError("the model inside this trace is damaged: its hash is not the recorded one")
-        return mujoco.MjModel.from_binary_path("trace.mjb", {"trace.mjb": self._model})
+        return mujoco.MjModel.from_binary_path("trace.mjb", {"trace.mjb": compiled})
 
     def _meta(self, key: str) -> dict[str, Any]:
         if key not in self.meta:
@@ -266,8 +280,9 @@ class Trace(RecordedColumns, Mapping):
                 with file.open(zipfile.ZipInfo(f"{name}.npy"), "w", force_zip64=True) as entry:
                     np.lib.format.write_array(entry, array, allow_pickle=False)
             file.writestr(zipfile.ZipInfo("meta.json"), json.dumps(self.meta, indent=1))
-            if self._model is not None:
-                file.writestr(zipfile.ZipInfo("model.mjb"), self._model, zipfile.ZIP_DEFLATED)
+            for name, compiled in (("model.mjb", self._model), ("simulated.mjb", self._simulated)):
+                if compiled is not None:
+                    file.writestr(zipfile.ZipInfo(name), compiled, zipfile.ZIP_DEFLATED)
         return path
 
     @classmethod
@@ -301,13 +316,16 @@ class Trace(RecordedColumns, Mapping):
                     if name.endswith(".npy")
                 }
                 model = file.read("model.mjb") if "model.mjb" in names else None
+                simulated = file.read("simulated.mjb") if "simulated.mjb" in names else None
         except OSError as error:
             raise InputError(f"{path}: {cause(error)}") from None
         except Error:
             raise
         except Exception as error:  # zipfile, zlib, json and numpy each have their own way to say it
             raise InputError(f"{path}: not a trace, or damaged: {error}") from None
-        return cls(columns, {**meta, "format_version": FORMAT_VERSION}, model)  # saved again, it is of today's format
+        return cls(
+            columns, {**meta, "format_version": FORMAT_VERSION}, model, simulated=simulated
+        )  # saved again: today's format
 
     def to_csv(self, path: str | os.PathLike) -> Path:
         """Write the columns as one table, seventeen digits so that nothing is lost, whole or not at all.

@@ -29,7 +29,9 @@ FootstepPlanner planner(const WalkSettings& s, const VelocityProfile& profile) {
 
 /// One cycle of a single support, of which `share` has gone by and whose foothold may follow the COM.
 Foothold follow(FootstepPlanner& feet, Side swing, double t_mid, double ahead_of_plan, double aside, double share) {
-  if (feet.follows(share)) feet.follow(ahead_of_plan, aside, feet.planned(swing, feet.stance_at(t_mid, kPeriod)));
+  if (feet.follows(share))
+    feet.follow(ahead_of_plan, aside, feet.planned(swing, feet.stance_at(t_mid, kPeriod)), Vec2::Zero(),
+                Vec2::Constant(1e3));
   return feet.target();
 }
 
@@ -256,7 +258,8 @@ BOOST_AUTO_TEST_CASE(tied_foothold_goes_where_the_com_will_be_half_a_step_behind
 }
 
 BOOST_AUTO_TEST_CASE(tied_foothold_is_low_passed_clamped_and_frozen) {
-  const WalkSettings s = settings(Footsteps::kTied);
+  WalkSettings s = settings(Footsteps::kTied);
+  s.steps.ahead_most = s.steps.aside_most = 10.0;
   FootstepPlanner feet = planner(s, steady);
   feet.advance(4.6, Vec2(0.55, 0));
   const Foothold nominal = feet.begin_step(3, kRight, {Vec2(0.5, 0.11), 0.0}, feet.stance_at(5.0, kPeriod));
@@ -270,8 +273,31 @@ BOOST_AUTO_TEST_CASE(tied_foothold_is_low_passed_clamped_and_frozen) {
   swing = kLeft;
   feet.begin_step(4, kLeft, {Vec2(0.7, -0.11), 0.0}, feet.stance_at(5.8, kPeriod));
   const Vec2 frozen = feet.target().p;
-  CHECK_NEAR(update(0.71, 0.0), frozen, 0.0);
-  BOOST_CHECK_GE(gap(update(0.7, 0.0), frozen), 1e-4);
+  CHECK_NEAR(update(s.steps.freeze + 0.01, 0.0), frozen, 0.0);
+  BOOST_CHECK_GE(gap(update(s.steps.freeze, 0.0), frozen), 1e-4);
+}
+
+BOOST_AUTO_TEST_CASE(tied_foothold_stays_within_reach_of_the_leg_and_of_the_time_left_but_goes_where_the_plan_goes) {
+  WalkSettings s = settings(Footsteps::kTied);
+  s.steps.timing = true;
+  s.steps.shift = 0.35;
+  for (const double most : {0.1, 0.3}) {  // the plan asks for more than the first
+    s.steps.ahead_most = most;
+    FootstepPlanner feet = planner(s, steady);
+    feet.advance(4.6, Vec2(0.55, 0));
+    const Vec2 stance(0.5, 0.11);
+    const Foothold nominal = feet.begin_step(3, kRight, {stance, 0.0}, feet.stance_at(5.0, kPeriod));
+    const double lead = nominal.p.x() - stance.x();
+    BOOST_REQUIRE_GT(lead, 0.1);
+    BOOST_REQUIRE_LT(lead, 0.3);
+    const auto after = [&](double ahead, double way) {
+      const PathPoint plan = feet.planned(kRight, feet.stance_at(5.0, kPeriod));
+      for (int k = 0; k < 2000; ++k) feet.follow(ahead, 0.0, plan, nominal.p, Vec2::Constant(way));
+      return feet.target().p.x() - stance.x();
+    };
+    CHECK_NEAR(after(2.0, 0.01), std::max(std::min(lead + 0.01, most), lead), 1e-9);
+    CHECK_NEAR(after(2.0, 10.0), std::max(most, lead), 1e-9);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(listed_and_absolute_footholds_do_not_follow_the_com) {

@@ -14,13 +14,13 @@ PACKAGE = Path(zmpwalk.__file__).parent
 FLOORS = [
     ["errors", "_build", "_columns", "_core"],
     ["_check_mujoco", "files", "analysis", "settings"],
-    ["profiles", "motion", "given", "robots"],
-    ["tasks"],
+    ["profiles", "motion", "given", "robots", "disturbances"],
+    ["tasks", "verdict"],
     ["trace"],
     ["simulation"],
-    ["waypoints", "bench", "render"],
-    ["view", "figures"],
-    ["plot"],
+    ["waypoints", "bench", "render", "capture", "trials"],
+    ["view", "figures", "pushes"],
+    ["plot", "troubles"],
     ["cli"],
     ["", "__main__"],  # the package's own __init__, which knows all rooms
 ]

@@ -1,51 +1,29 @@
 #pragma once
 
 #include <functional>
-#include <string>
+#include <memory>
 #include <vector>
 
-#include "zmpwalk/robot/contact_forces.hpp"
+#include "zmpwalk/robot/state.hpp"
+#include "zmpwalk/simulation/push.hpp"
+#include "zmpwalk/simulation/recorder.hpp"
+#include "zmpwalk/simulation/uncertainty.hpp"
 #include "zmpwalk/walk/walking_controller.hpp"
 
 namespace zmpwalk {
 
-/// One column of a trace: `width` numbers a row, rows one after the other.
-struct Column {
-  std::string name;
-  int width;
-  std::vector<double> values;
-};
-
-/// Keeps what cycles record as columns: those of `visit_columns`, in its order. Row k holds the state before step k and what was decided for it.
-class Recorder {
- public:
-  /// @param controller must outlive the recorder   @param duration length of the walk for which memory is set aside, so that `add` does not allocate [s]
-  explicit Recorder(const WalkingController& controller, double duration = 0.0);
-
-  /// Adds one row, if `out` is a new cycle. Call right after mj_step: `data` then holds the contact forces of this cycle.
-  void add(const CycleOutput& out, const mjData* data);
-
-  /// Marks the last row as a fall that shows only after the step: the state is not finite, or no foot touches the ground.
-  void mark_fall();
-
-  const std::vector<Column>& columns() const { return columns_; }
-  /// The columns themselves; the recorder is of no more use.
-  std::vector<Column> take_columns() { return std::move(columns_); }
-  std::size_t rows() const { return rows_; }
-  /// Contact forces of the last row.
-  const MeasuredContact& contact() const { return contact_; }
-
- private:
-  const WalkingController* controller_;
-  std::vector<Column> columns_;
-  std::size_t rows_ = 0;
-  MeasuredContact contact_;
+/// What a run does when the robot has fallen by the controller's own word, or has lost the ground for long.
+enum class OnFall {
+  kStop,  ///< ends: that is a fall
+  kGoOn  ///< takes it for an alarm and goes on until the robot lies on the ground, or is not finite: only these are falls then
 };
 
 /// How a run ended.
 struct RunResult {
   Fall fell = Fall::kNone;
   double fall_time = kNaN;       ///< [s]
+  Fall alarm = Fall::kNone;      ///< the first word of a fall; with OnFall::kStop the fall itself
+  double alarm_time = kNaN;      ///< [s]
   bool stopped = false;          ///< a callback asked for it
   double wall_time = 0.0;        ///< [s]
   std::vector<double> cycle_us;  ///< time of each control cycle [us]
@@ -55,25 +33,49 @@ struct RunResult {
 class Simulation {
  public:
   /// Places the robot at its start pose on z = 0 in an mjData of its own. `controller` must outlive the simulation.
-  /// @throws ModelError  a foot that touches nothing there
-  explicit Simulation(WalkingController& controller);
+  ///
+  /// @param uncertainty  lies between robot and controller; without any, the controller reads MuJoCo's state as it is
+  /// @param simulated    the model that is simulated, where it is not the controller's; it must outlive the simulation
+  /// @throws ModelError  a foot that touches nothing there; a simulated model that lacks what the controller's description names, or
+  ///         whose joints are others, or stand in another order. InputError  as `Uncertainty::checked`
+  explicit Simulation(WalkingController& controller, const Uncertainty& uncertainty = Uncertainty(),
+                      const mjModel* simulated = nullptr);
   ~Simulation();
 
-  /// Walks until `duration` [s], a fall, or a stop.
+  /// Pushes the robot, from the next step on or later. @throws InputError  as `Pushes::add`
+  void push(const Push& push) { pushes_.add(push); }
+
+  /// Walks for `duration` [s], until a fall, or a stop. The first run starts the walk, every later one goes on where the last has ended.
   ///
   /// @param recorder  gets one row per control cycle
   /// @param progress  called about every `progress_interval` [s of wall time] with the simulation time; returns false to stop
-  /// @param after_cycle  called after the first cycle's `update` and then every `cycle_interval` [s], before the step; false to stop
+  /// @param after_cycle  called after the run's first cycle's `update` and then every `cycle_interval` [s], before the step; false to stop
   /// @throws InputError duration is not finite and > 0
   RunResult run(double duration, Recorder& recorder, const std::function<bool(double)>& progress = {},
                 double progress_interval = 0.1, const std::function<bool(const CycleOutput&)>& after_cycle = {},
-                double cycle_interval = 0.0);
+                double cycle_interval = 0.0, OnFall on_fall = OnFall::kStop);
 
   mjData* data() { return data_.get(); }
+  /// The robot that is simulated.
+  const Robot& robot() const { return apart_ ? *apart_ : controller_.robot(); }
 
  private:
+  const CycleOutput& control(Terms terms);  // the controller's, and its torque into the data
+  Fall lies() const;                        // kDown where the robot lies on the ground
+
   WalkingController& controller_;
+  std::unique_ptr<Robot> apart_;  // where it is not the controller's
   MjDataPtr data_;
+  Pushes pushes_;
+  bool direct_;  // the controller reads the data themselves
+  Sensors sensors_;
+  Drives drives_;
+  State truth_;  // of the robot, before the step
+  State told_;   // to the controller
+  bool started_ = false;
+  double start_height_ = 0.0;  // of the COM over the lower sole [m]
+  double airborne_ = 0.0;      // [s]
+  Sensed felt_;                // by the feet, in the step before
 };
 
 }  // namespace zmpwalk

@@ -34,6 +34,7 @@ void FootstepPlanner::advance(double t, const Vec2& com) {
 PlannedStance FootstepPlanner::stance_at(double t_mid, double period) const {
   PlannedStance out{period, plan_->at(t_mid), plan_->at(t_mid + period), {}};
   out.path = path_.moved(plan_->travel(now_, out.mid));
+  out.end.integral.x() += hurried_ * period;
   return out;
 }
 
@@ -42,7 +43,7 @@ double FootstepPlanner::lead(int n, const PlannedStance& next) const {
   if (!lengths.empty()) return lengths[std::min<std::size_t>(n, lengths.size() - 1)];
   if (settings_.steps.mode == Footsteps::kAbsolute) return next.displacement().x();
   // Half of what the path does in either foot's stance.
-  return 0.5 * (next.end.integral.x() - plan_->at(next.t_mid() - next.period).integral.x());
+  return 0.5 * (next.end.integral.x() - plan_->at(next.t_mid() - next.period).integral.x() + hurried_ * next.period);
 }
 
 PathPoint FootstepPlanner::planned(Side swing, const PlannedStance& next) const {
@@ -98,13 +99,26 @@ void FootstepPlanner::close(Side swing, const Foothold& stance, double xi) {
   if (closing_) nominal_ = target_ = beside;
 }
 
-const Foothold& FootstepPlanner::follow(double ahead_of_plan, double aside, const PathPoint& planned) {
+const Foothold& FootstepPlanner::follow(double ahead_of_plan, double aside, const PathPoint& planned, const Vec2& foot,
+                                        const Vec2& way) {
   const Vec2 left = planned.left();
   const double most = settings_.steps.shift;
   const Vec2 off = planned.p + ahead_of_plan * path_.ahead - nominal_.p;
   Foothold wanted = planned;
   wanted.p = nominal_.p + std::clamp(off.dot(planned.ahead), -most, most) * planned.ahead +
              (off.dot(left) + std::clamp(aside, -most, most)) * left;
+  // Within reach of the leg, and of the time that is left; where the plan goes, and where the foot goes already, it may go on.
+  const auto within = [&](const Vec2& axis, double reach, double far) {
+    const double planned_there = (nominal_.p - stance_.p).dot(axis), now = (target_.p - stance_.p).dot(axis);
+    const double by_itself = (foot - stance_.p).dot(axis), there = (wanted.p - stance_.p).dot(axis);
+    const double lower = std::max(std::min(-reach, planned_there), std::min({by_itself - far, now, planned_there}));
+    const double upper = std::min(std::max(reach, planned_there), std::max({by_itself + far, now, planned_there}));
+    wanted.p += (std::max(std::min(there, upper), lower) - there) * axis;
+  };
+  if (settings_.steps.timing) {
+    within(planned.ahead, settings_.steps.ahead_most, way.x());
+    within(left, settings_.steps.aside_most, way.y());
+  }
   target_.p += blend_ * (clear(wanted) - target_.p);
   target_.yaw += blend_ * wrap_angle(wanted.yaw - target_.yaw);
   return target_;

@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "zmpwalk/gait/point_walk.hpp"
 #include "zmpwalk/math/error.hpp"
@@ -12,20 +11,15 @@
 namespace zmpwalk {
 namespace {
 
+Side first_swing(const WalkSettings& settings) { return settings.gait.first_swing; }
+
+}  // namespace
+
 Foothold foothold_of(const Vec3& p, const Mat3& R) { return {p.head<2>(), yaw_of(R)}; }
 
 std::array<Foothold, 2> feet_of(const GaitInput& in) {
   return {foothold_of(in.p_sole[kLeft], in.R_sole[kLeft]), foothold_of(in.p_sole[kRight], in.R_sole[kRight])};
 }
-
-double lab(const char* name, double value) {
-  const char* text = std::getenv(name);
-  return text ? std::atof(text) : value;
-}
-
-Side first_swing(const WalkSettings& settings) { return settings.gait.first_swing; }
-
-}  // namespace
 
 Vec2 reference_zmp(const GaitOutput& gait, const LinearInvertedPendulum& pendulum, const VelocityTracker& tracker,
                    const Vec2& com, const Vec2& dcom) {
@@ -61,7 +55,8 @@ GaitGenerator::GaitGenerator(const WalkSettings& settings, const VelocityProfile
       pendulum_(1.0, 1.0),
       bounds_(bounds),
       whole_(whole),
-      adjustment_({lab("L_WP", 0.04), lab("L_WT", 0.01), lab("L_BAND", 1e-4)}) {
+      least_apart_(sole.width + settings.steps.clearance),
+      recovers_(settings.steps.timing && settings.steps.mode == Footsteps::kTied) {
   plan_.reserve();
 }
 
@@ -97,7 +92,9 @@ void GaitGenerator::command(const Vec3& velocity) {
 
 void GaitGenerator::retime(double remaining) {
   require_positive("remaining", remaining);
-  if (!out_.at_rest) schedule_.retime(footsteps_.now().t, remaining);
+  if (out_.at_rest) return;
+  schedule_.retime(footsteps_.now().t, remaining);
+  planned_landing_ = schedule_.touch_down();
 }
 
 void GaitGenerator::take_command(double t) {
@@ -120,6 +117,7 @@ StepTimes GaitGenerator::times_at(double t) const {
 
 void GaitGenerator::begin_walk(const GaitInput& in) {
   const StepTimes times = times_at(in.t);
+  starting_ = true;
   out_.at_rest = false;
   out_.swing = first_swing(settings_);
   const double v_y = plan_.displacement(in.t, in.t + times.period()).y();
@@ -160,9 +158,13 @@ GaitGenerator::Began GaitGenerator::begin_phase(const GaitInput& in) {
   for (const Side side : kSides) felt_[side] |= in.contact[side] > 0.5;
   if (out_.at_rest) {
     // The first step lifts when the plan moves, and half of its double support has gone by.
-    if (settings_.gait.stand && plan_.at_rest(in.t, in.t + 0.5 * settings_.gait.T_ds_first) && can_stand(in))
+    const bool pushed = recovers_ && off_the_feet(in);
+    if (!pushed && settings_.gait.stand && plan_.at_rest(in.t, in.t + 0.5 * settings_.gait.T_ds_first) && can_stand(in))
       return Began::kNothing;
-    begin_walk(in);
+    if (pushed)
+      begin_catching(in);
+    else
+      begin_walk(in);
     lateral_.begin_cycle(false);
     return Began::kDoubleSupport;
   }
@@ -235,6 +237,7 @@ const GaitOutput& GaitGenerator::update_steps(const GaitInput& in) {
   sole_room_ = sole_room(out_.v_plan);
   out_.room = room(in, bounds_, sole_room_);
   if (out_.at_rest) {
+    if (recovers_) out_.room = room(in, whole_, whole_[out_.support]);
     // The ZMP leads the DCM back to the middle between the feet.
     const Vec2 middle = 0.5 * (in.p_sole[kLeft] + in.p_sole[kRight]).head<2>();
     const Vec2 xi = in.com + pendulum_.Tc() * in.dcom;
@@ -244,8 +247,7 @@ const GaitOutput& GaitGenerator::update_steps(const GaitInput& in) {
     move_ahead(in);
     move_sideways(in);
     out_.stretch = stretch(in);
-    adjust_time(in);
-    widen_room(in);
+    if (recovers_) recover(in);
   }
   return out_;
 }
@@ -261,10 +263,11 @@ ZmpBounds GaitGenerator::sole_room(const Vec3& velocity) const {
 }
 
 void GaitGenerator::move_ahead(const GaitInput& in) {
+  footsteps_.hurry(regain(in));
   const double period = schedule_.times().period(), half = 0.5 * period, dt = settings_.control.dt;
   const bool awaits = before_switch();
   const double since_middle = awaits ? half - 0.5 * out_.phase.duration + out_.phase.time : -out_.phase.to_mid_single;
-  take_orbit(out_.orbit, sole_room_, out_.v_plan.x(), period);
+  take_orbit(out_.orbit, sole_room_, out_.v_plan.x() + footsteps_.hurried(), period);
   out_.orbit_middle = settings_.com.lead;
   out_.orbit_ahead = out_.orbit.ahead(std::clamp(since_middle, -half, half));
   const double time = awaits ? std::max(0.5 * out_.phase.duration - out_.phase.time, dt) : out_.phase.to_mid_double;
@@ -342,11 +345,13 @@ void GaitGenerator::move_sideways(const GaitInput& in) {
   const PendulumState y{(in.com - out_.origin).dot(left_of(out_.ahead)), in.dcom.dot(left_of(out_.ahead))};
   if (before_switch()) {
     const double dt = settings_.control.dt, period = schedule_.times().period();
-    const double w_orbit = pendulum_.orbit_velocity(plan_.displacement(in.t, in.t + period).y(), period);
-    out_.w_T = lateral_.check_switch(pendulum_, y, 0.0, across(in.p_sole[other(out_.support)]),
-                                     out_.phase.to_mid_single, w_orbit, dt, out_.phase.duration - out_.phase.time);
+    const double drift = plan_.displacement(in.t, in.t + period).y(), foot = across(in.p_sole[other(out_.support)]);
+    const double w_orbit = pendulum_.orbit_velocity(drift, period);
+    out_.w_T = lateral_.check_switch(pendulum_, y, 0.0, foot, out_.phase.to_mid_single, w_orbit, dt,
+                                     out_.phase.duration - out_.phase.time);
     return;
   }
+  if (single) starting_ = false;
   if (period_ != orbit_period_ || Tc != orbit_Tc_) {
     orbit_growth_ = pendulum_.growth(period_);
     orbit_period_ = period_;
@@ -373,10 +378,12 @@ void GaitGenerator::move_sideways(const GaitInput& in) {
       if (settings_.gait.stand && plan_.at_rest(in.t, schedule_.touch_down() + schedule_.times().T_ds))
         footsteps_.close(out_.swing, foot, xi_next_);
     }
-    if (footsteps_.follows(out_.phase.time / out_.phase.duration)) {
+    if (footsteps_.follows(decided_share(in))) {
       const PathPoint planned = footsteps_.planned(out_.swing, next_);
       const double aside = lateral_.miss(sway(planned.p));
-      footsteps_.follow(ahead_of_plan(in), aside, planned);
+      const double time = schedule_.touch_down() - in.t;
+      const Vec2 foot = in.p_sole[out_.swing].head<2>() + 0.5 * time * swing_velocity();
+      footsteps_.follow(ahead_of_plan(in), aside, planned, foot, way_in(time));
     }
     out_.foothold = footsteps_.target();
   }
@@ -384,81 +391,6 @@ void GaitGenerator::move_sideways(const GaitInput& in) {
   out_.zmp_lateral = lateral_.reference(sway(there));
   xi_offset_ = xi_end(there) - (there - out_.origin).dot(left_of(out_.ahead));
   xi_planned_ = xi_end(there) / until.factor;
-}
-
-double GaitGenerator::urgency(const GaitInput& in) const {
-  if (out_.at_rest) return 0.0;
-  const Vec2 left = left_of(out_.ahead), from = in.com - out_.origin;
-  const double Tc = pendulum_.Tc(), x = from.dot(out_.ahead) - out_.orbit_middle;
-  const double ahead = Tc * (in.dcom.dot(out_.ahead) - out_.orbit.velocity(x)) / whole_[out_.support].upper.x();
-  const double aside =
-      before_switch() ? 0.0 : (from.dot(left) + Tc * in.dcom.dot(left) - xi_planned_) / whole_[out_.support].upper.y();
-  const double off = std::max(std::abs(ahead), std::abs(aside));
-  static const double kU0 = lab("L_U0", 0.3), kU1 = lab("L_U1", 0.7);
-  const double s = std::clamp((off - kU0) / (kU1 - kU0), 0.0, 1.0);
-  return s * s * (3.0 - 2.0 * s);
-}
-
-void GaitGenerator::widen_room(const GaitInput& in) {
-  const ZmpBounds most = room(in, whole_, whole_[out_.support]);
-  out_.room.lower.y() = most.lower.y();
-  out_.room.upper.y() = most.upper.y();
-  if (const double share = urgency(in); share > 0.0) {
-    out_.room.lower.x() += share * (most.lower.x() - out_.room.lower.x());
-    out_.room.upper.x() += share * (most.upper.x() - out_.room.upper.x());
-  }
-  const double beside = std::min(std::abs(out_.zmp_lateral) / whole_[out_.support].upper.y(), 1.0);
-  static const double kPower = lab("L_CUTPOW", 2.0);
-  const double keep = 1.0 - settings_.zmp.corner_cut * std::pow(beside, kPower);
-  out_.room.lower.x() *= keep;
-  out_.room.upper.x() *= keep;
-}
-
-void GaitGenerator::adjust_time(const GaitInput& in) {
-  if (!settings_.steps.timing || out_.phase.phase != Phase::kSingleSupport || footsteps_.closing() ||
-      swing_ == Swing::kOverdue || settings_.steps.mode != Footsteps::kTied)
-    return;
-  const StepsSettings& steps = settings_.steps;
-  const double Tc = pendulum_.Tc(), left = schedule_.touch_down() - in.t;
-  static const double kDecided = lab("L_DECIDED", 0.36);  // [T_c]
-  static const double kFilter = lab("L_FILTER", 0.072);  // [T_c]
-  if (left < kDecided * Tc) return;
-  StepLimits limits;
-  limits.planned = planned_landing_ - in.t;
-  limits.current = left;
-  limits.least = std::max(steps.least_time - out_.phase.time, kDecided * Tc);
-  limits.most = std::max(limits.planned + steps.wait_time, limits.least);
-  limits.take_over = 0.5 * schedule_.times().T_ds;
-  limits.foot_speed = steps.foot_speed;
-  const Vec2 ahead = out_.ahead, aside = left_of(out_.ahead);
-  const Vec2 com = in.com - out_.origin, foot = in.p_sole[out_.swing].head<2>() - out_.origin;
-  const ZmpBounds& whole = whole_[out_.support];
-  const double side = side_sign(out_.swing);
-  const double near = 0.14 + steps.clearance;
-  std::array<StepAxis, 2> axes;
-  axes[0].xi = (com + Tc * in.dcom).dot(ahead);
-  axes[0].zmp_lower = whole.lower.x();
-  axes[0].zmp_upper = whole.upper.x();
-  const Vec2 place = out_.foothold.p - out_.origin;
-  axes[0].drift = out_.v_plan.x();
-  axes[0].place = footsteps_.lead(out_.phase.step, next_) + axes[0].drift * (limits.planned - left);
-  axes[0].place_lower = -steps.ahead_most;
-  axes[0].place_upper = steps.ahead_most;
-  axes[0].foot = foot.dot(ahead);
-  axes[0].offset = xi_start_;
-  axes[1].xi = (com + Tc * in.dcom).dot(aside);
-  axes[1].zmp_lower = whole.lower.y();
-  axes[1].zmp_upper = whole.upper.y();
-  axes[1].place = (footsteps_.planned(out_.swing, next_).p - out_.origin).dot(aside);
-  axes[1].place_lower = side > 0.0 ? near : -steps.aside_most;
-  axes[1].place_upper = side > 0.0 ? steps.aside_most : -near;
-  axes[1].foot = foot.dot(aside);
-  axes[1].offset = xi_offset_;
-  (void)place;
-  const double best = adjustment_.time(pendulum_, axes, limits);
-  if (std::abs(best - left) < 1e-3) return;
-  const double blend = 1.0 - std::exp(-settings_.control.dt / (kFilter * Tc));
-  schedule_.retime(in.t, left + blend * (best - left));
 }
 
 }  // namespace zmpwalk

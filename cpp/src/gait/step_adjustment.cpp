@@ -16,7 +16,7 @@ double outside(double x, double lower, double upper) { return std::max({lower - 
 double StepAdjustment::cost(const LinearInvertedPendulum& pendulum, const std::array<StepAxis, 2>& axes,
                             const StepLimits& limits, double time) const {
   const double grow = pendulum.growth(std::max(time + limits.take_over, 0.0)).factor;
-  const double later = time - limits.planned, way = limits.foot_speed * time;
+  const double later = time - limits.planned;
   double cost = weights_.time * later * later;
   for (const StepAxis& a : axes) {
     // Where the foot would have to land, for a ZMP at either bound.
@@ -25,10 +25,11 @@ double StepAdjustment::cost(const LinearInvertedPendulum& pendulum, const std::a
     const double planned = a.place + a.drift * later;
     const double wanted = std::clamp(planned, first, std::max(first, last));
     // The planned place itself is always within reach; in the time left the foot comes only so far.
-    const double lower = std::min(std::max(a.place_lower, a.foot - way), a.place_upper),
-                 upper = std::max(std::min(a.place_upper, a.foot + way), lower);
+    const double way = a.foot_acceleration * time * time / 6.0, middle = a.foot + 0.5 * time * a.foot_velocity;
+    const double lower = std::min(std::max(a.place_lower, middle - way), a.place_upper),
+                 upper = std::max(std::min(a.place_upper, middle + way), lower);
     const double place = std::clamp(wanted, std::min(lower, planned), std::max(upper, planned));
-    const double gap = outside(place, first, last), moved = place - planned;
+    const double gap = std::max(outside(place, first, last) - a.give, 0.0), moved = place - planned;
     cost += gap * gap + weights_.place * moved * moved;
   }
   return cost;

@@ -10,15 +10,15 @@ namespace {
 
 constexpr double kLevel =
     1e-3;  // lift-off and landing that differ by less in height are level: a sole sinks into the ground under load [m]
-constexpr double kBlend = 0.1;  // own time takes up its new rate within this [s], or sooner
-constexpr double kStop = 1e-3;  // slowest rate of the own time
+constexpr double kLeastShare =
+    0.2;  // least rate of an own time that is held back, as a share of the mean rate to its end
+constexpr double kShortest = 1e-6;  // blend [s]: a rate that must change at once
+constexpr double kStop = 1e-3;      // slowest rate of the own time
 
 Motion1 sum(const Motion1& a, const Motion1& b) { return {a.p + b.p, a.v + b.v, a.a + b.a}; }
 
 /// The same motion seen in another time: `m` runs by the own time `own`.
-Motion1 in_time(const Motion1& m, const Motion1& own) {
-  return {m.p, m.v * own.v, m.a * own.v * own.v + m.v * own.a};
-}
+Motion1 in_time(const Motion1& m, const Motion1& own) { return {m.p, m.v * own.v, m.a * own.v * own.v + m.v * own.a}; }
 
 /// Velocity at a knot p, `h_0` after (p_0, v_0) and `h_1` before (p_1, v_1), such that the cubics on both sides have one acceleration there.
 double knot_velocity(double p_0, double v_0, double h_0, double p, double h_1, double p_1, double v_1) {
@@ -29,12 +29,14 @@ double knot_velocity(double p_0, double v_0, double h_0, double p, double h_1, d
 
 Motion1 OwnTime::at(double t) const {
   const double since = t - start_;
-  if (!(blend_ > 0.0) || since >= blend_) return {end_ - rate_ * (landing_ - t), rate_, 0.0};
-  // The rate goes from from_.v, changing by from_.a, to rate_, where it rests: a cubic, whose integral is the own time.
+  if (untouched()) return {t, 1.0, 0.0};
+  if (since >= blend_) return {end_ - rate_ * (landing_ - t), rate_, 0.0};
+  // The rate goes from from_.v, changing by from_.a, to rate_, where it rests without a bend: a quartic, whose integral is the own time.
   const double u = since / blend_, d = rate_ - from_.v, a = from_.a * blend_;
-  const double c2 = 3.0 * d - 2.0 * a, c3 = a - 2.0 * d;
-  return {from_.p + blend_ * u * (from_.v + u * (a / 2.0 + u * (c2 / 3.0 + u * c3 / 4.0))),
-          from_.v + u * (a + u * (c2 + u * c3)), (a + u * (2.0 * c2 + u * 3.0 * c3)) / blend_};
+  const double c2 = 6.0 * d - 3.0 * a, c3 = 3.0 * a - 8.0 * d, c4 = 3.0 * d - a;
+  return {from_.p + blend_ * u * (from_.v + u * (a / 2.0 + u * (c2 / 3.0 + u * (c3 / 4.0 + u * c4 / 5.0)))),
+          from_.v + u * (a + u * (c2 + u * (c3 + u * c4))),
+          (a + u * (2.0 * c2 + u * (3.0 * c3 + u * 4.0 * c4))) / blend_};
 }
 
 void OwnTime::retime(double t, double left) {
@@ -42,16 +44,18 @@ void OwnTime::retime(double t, double left) {
   const double way = end_ - from_.p;
   start_ = t;
   landing_ = t + left;
-  // In the blend the own time goes on by blend (from_.v + rate) / 2 + blend^2 from_.a / 12.
-  blend_ = std::min({kBlend, 0.5 * left, from_.v > 0.0 ? way / from_.v : kBlend});
-  rate_ = std::max((way - blend_ * (from_.v / 2.0 + blend_ * from_.a / 12.0)) / (left - 0.5 * blend_), kStop);
+  // In the blend the own time goes on by blend (0.4 from_.v + 0.6 rate + 0.05 blend from_.a). It takes all the time that is left, unless the rate
+  // after it were to fall below a share of the mean rate.
+  const double least = kLeastShare * way / left;
+  blend_ = from_.v > least ? std::min(left, (way - least * left) / (0.4 * (from_.v - least))) : left;
+  blend_ = std::max(blend_, kShortest);
+  rate_ = std::max((way - blend_ * (0.4 * from_.v + 0.05 * blend_ * from_.a)) / (left - 0.4 * blend_), kStop);
 }
 
 void SwingFoot::begin(const Vec3& p, const Mat3& R, double duration, double z_land, double height, double speed) {
   time_ = OwnTime(duration);
   duration_ = duration;
   z_land_ = z_land;
-  speed_ = speed;
   sinks_ = false;
   const double top = std::max(p.z(), z_land) + height;
   // Between ends at different heights, the longer way takes more time: at the top both cubics have one acceleration.
@@ -67,38 +71,43 @@ void SwingFoot::begin(const Vec3& p, const Mat3& R, double duration, double z_la
   target_.R = rotation_z(yaw_ = next_[2].p);
 }
 
-Motion1 SwingFoot::height(double t, const Motion1& own) const {
-  if (sinks_) return sum(sinking_.at(t - since_), fade_out({0.0, 0.0, beside_}, sunk_ - since_, t - since_));
+Motion1 SwingFoot::height(const Motion1& own) const {
   const double since = std::clamp(own.p, 0.0, duration_);  // a phase begins up to a nanosecond before its time
-  return in_time(since < rise_ ? up_.at(since) : down_.at(since - rise_), own);
+  return since < rise_ ? up_.at(since) : down_.at(since - rise_);
 }
 
 void SwingFoot::sink(double t, double time) {
   // A foot that is late goes on from the end of its splines as it ended.
   const double late = std::max(t - time_.landing(), 0.0);
-  const Motion1 end = height(t - late, time_.at(t - late));
-  const double v = end.v + late * end.a, p = end.p + late * (end.v + 0.5 * late * end.a);
-  sinking_ = Cubic(p, v, z_land_ + 2.0 / 3.0 * v * time, 0.0, time);
-  beside_ = end.a - sinking_.at(0.0).a;
-  for (Motion1& m : next_) m.v = 0.0;
+  const Motion1 own = time_.at(t - late);
+  for (int i = 0; i < 4; ++i) {
+    const Motion1 end = in_time(i < 3 ? next_[i] : height(own), own);
+    const Motion1 now{end.p + late * (end.v + 0.5 * late * end.a), end.v + late * end.a, end.a};
+    sinking_[i] = Cubic(now.p, now.v, i < 3 ? to_[i] : z_land_ + 2.0 / 3.0 * end.v * time, 0.0, time);
+    beside_[i] = now.a - sinking_[i].at(0.0).a;
+  }
   since_ = t;
   sunk_ = t + time;
   sinks_ = true;
 }
 
 const SwingTarget& SwingFoot::update(double t, double dt, const Foothold& foothold) {
-  const Motion1 own = time_.at(t);
-  const double left = duration_ - own.p, step = time_.at(t + dt).p - own.p;
-  const double yaw_there = next_[2].p + wrap_angle(foothold.yaw - next_[2].p);
-  const std::array<double, 3> to{foothold.p.x(), foothold.p.y(), yaw_there};
-  std::array<Motion1, 3> now;
-  for (int i = 0; i < 3; ++i) {
-    const Cubic spline(next_[i].p, next_[i].v, to[i], 0.0, left);
-    now[i] = in_time({next_[i].p, next_[i].v, spline.at(0.0).a}, own);
-    next_[i] = spline.at(std::min(step, left));
+  std::array<Motion1, 4> now;  // x, y, yaw, z
+  if (sinks_) {
+    for (int i = 0; i < 4; ++i)
+      now[i] = sum(sinking_[i].at(t - since_), fade_out({0.0, 0.0, beside_[i]}, sunk_ - since_, t - since_));
+  } else {
+    const Motion1 own = time_.at(t);
+    const double left = duration_ - own.p, step = time_.step(t, dt);
+    to_ = {foothold.p.x(), foothold.p.y(), next_[2].p + wrap_angle(foothold.yaw - next_[2].p)};
+    for (int i = 0; i < 3; ++i) {
+      const Cubic spline(next_[i].p, next_[i].v, to_[i], 0.0, left);
+      now[i] = in_time({next_[i].p, next_[i].v, spline.at(0.0).a}, own);
+      next_[i] = spline.at(std::min(step, left));
+    }
+    now[3] = in_time(height(own), own);
   }
-  const auto& [x, y, yaw] = now;
-  const Motion1 z = height(t, own);
+  const auto& [x, y, yaw, z] = now;
   target_.p << x.p, y.p, z.p;
   target_.v << x.v, y.v, z.v;
   target_.a << x.a, y.a, z.a;

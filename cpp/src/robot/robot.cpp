@@ -164,6 +164,13 @@ bool Robot::is_foot(Side side, int body) const {
   return false;
 }
 
+bool Robot::is_leg(int body) const {
+  for (; body > 0; body = m_->body_parentid[body])
+    for (const auto& leg : leg_joints_)
+      if (m_->dof_bodyid[dof0_ + 6 + leg.front()] == body) return true;
+  return false;
+}
+
 void Robot::require_data(const mjData* d) const { require_same_model(data_.get(), d); }
 
 bool Robot::is_finite(const mjData* d) const {

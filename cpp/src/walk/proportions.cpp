@@ -64,8 +64,7 @@ ZmpBounds bounds_of(const Robot& robot, Side side, const WalkSettings& settings,
   const int roll = leg[4] == pitch ? leg[5] : leg[4];
   const SoleLimits limits{foot.length, foot.width, ankle.head<2>(), robot.torque_limit()[pitch],
                           robot.torque_limit()[roll]};
-  return zmp_bounds(limits, dyn.mass * dyn.gravity.norm(), sole_fraction,
-                    settings.zmp.ankle_torque_fraction);
+  return zmp_bounds(limits, dyn.mass * dyn.gravity.norm(), sole_fraction, settings.zmp.ankle_torque_fraction);
 }
 
 }  // namespace zmpwalk

@@ -16,6 +16,8 @@ std::string to_string(Fall fall) {
       return "the simulated state is no longer finite";
     case Fall::kNoContact:
       return "no foot touched the ground any more";
+    case Fall::kDown:
+      return "the robot lay on the ground";
   }
   return "?";
 }

@@ -18,6 +18,8 @@ RobotDescription with_limits(RobotDescription description, const std::map<std::s
   return description;
 }
 
+double whole_fraction(const WalkSettings& s) { return std::max(s.zmp.whole_fraction, s.zmp.sole_fraction); }
+
 double top_speed(const VelocityProfile& profile) {
   double top = 0.0;
   for (const Vec3& v : profile.v()) top = std::max(top, v.x());
@@ -34,10 +36,10 @@ WalkingController::WalkingController(const mjModel* model, const RobotDescriptio
       settings_(resolve(settings, scale_of(robot_), top_speed(profile))),
       bounds_{bounds_of(robot_, kLeft, settings_, settings_.zmp.sole_fraction),
               bounds_of(robot_, kRight, settings_, settings_.zmp.sole_fraction)},
+      whole_{bounds_of(robot_, kLeft, settings_, whole_fraction(settings_)),
+             bounds_of(robot_, kRight, settings_, whole_fraction(settings_))},
       height_(height_over_soles(robot_.dynamics()), robot_.dynamics().gravity.norm(), settings_),
-      gait_(settings_, profile_, sole_, bounds_,
-            {bounds_of(robot_, kLeft, settings_, std::max(settings_.zmp.whole_fraction, settings_.zmp.sole_fraction)),
-             bounds_of(robot_, kRight, settings_, std::max(settings_.zmp.whole_fraction, settings_.zmp.sole_fraction))}),
+      gait_(settings_, profile_, sole_, bounds_, whole_),
       reach_(robot_, settings_, gait_.cadence()),
       tracker_(settings_.tracking),
       reference_(settings_),
@@ -85,6 +87,7 @@ GaitInput WalkingController::gait_input(double t, const Vec2& com, const Vec2& d
   in.p_sole = {left.p_WF, right.p_WF};
   in.R_sole = {left.R_WF, right.R_WF};
   in.catch_up = tracker_.catch_up(gait_.output().orbit_ahead);
+  in.behind = gait_.output().orbit_ahead - tracker_.integral();
   // A foot that feels the ground lands at the height of the stance foot, not at that of the ground at the start.
   if (settings_.gait.touch_down == TouchDown::kTime) in.ground = height_.ground();
   return in;

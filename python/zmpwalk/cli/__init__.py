@@ -1,4 +1,5 @@
-"""The command `zmpwalk`: a file for each of walk, view, plot, video, inspect, settings, bench.
+"""The command `zmpwalk`: a file for each of walk, view, plot, video, push-map, robustness, inspect,
+settings, bench.
 
 Exit codes: 0 the robot stood to the end, 3 it fell (everything is written all the same), 2 bad input (one line on
 stderr, nothing written), 130 stopped by Ctrl-C (nothing written), 1 a fault of zmpwalk's own.
@@ -15,7 +16,7 @@ import mujoco
 
 from .._build import VERSION
 from ..errors import Error
-from . import bench, inspect, plot, settings, video, view, walk
+from . import bench, inspect, plot, push_map, robustness, settings, video, view, walk
 from .terminal import FAULT, INTERRUPTED, STOOD, complain
 
 __all__ = ["cli", "main"]
@@ -72,5 +73,5 @@ def cli() -> None:
     """Walk humanoid robots in MuJoCo: give a velocity, get the torques, and know their ZMP beforehand."""
 
 
-for room in (walk, view, plot, video, inspect, settings, bench):
+for room in (walk, view, plot, video, push_map, robustness, inspect, settings, bench):
     cli.add_command(room.command)

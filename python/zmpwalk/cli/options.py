@@ -13,7 +13,7 @@ from .._core import WalkSettings
 from ..errors import InputError
 from ..settings import load_settings
 
-__all__ = ["parse", "robot_option", "settings_options", "size_of", "walk_options"]
+__all__ = ["parse", "robot_option", "settings_options", "size_of", "unsure", "walk_options"]
 
 FOOTSTEPS = ("tied", "absolute", "paper", "printed")
 
@@ -95,7 +95,7 @@ def _settings(law: str | None, file: Path | None, footsteps: str | None, changes
             like = "" if name == "law" else WalkSettings.find(name).default
         except InputError as error:
             raise InputError(f"--set {change}: {error}") from None
-        values[name] = parse(text.strip(), like, change)
+        values[name] = parse(text.strip(), like, f"--set {change}")
     law = values.pop("law", law)
     return load_settings(file, law, **values) if file else WalkSettings(law=law or "default", **values)
 
@@ -111,7 +111,7 @@ def _lengths(text: str) -> list[float]:
 
 
 def parse(text: str, like: Any, change: str) -> Any:
-    """A value of the kind of `like`."""
+    """A value of the kind of `like`; `change` is how messages begin."""
     words = {"true": True, "on": True, "yes": True, "false": False, "off": False, "no": False}
     try:
         if isinstance(like, bool):
@@ -127,8 +127,23 @@ def parse(text: str, like: Any, change: str) -> Any:
     except ValueError:
         kinds = {bool: "true or false", int: "an integer", dict: 'written as "l_knee:100,r_knee:100"'}
         kind = kinds.get(type(like), "a number")
-        raise InputError(f"--set {change}: '{text}' is not {kind}") from None
+        raise InputError(f"{change}: '{text}' is not {kind}") from None
     return text
+
+
+def unsure(words: tuple[str, ...]) -> dict[str, float]:
+    """Fields of `Uncertainty` from words NAME=VALUE.
+
+    Raises:
+        InputError: not such words. Whether the fields exist, `Uncertainty` says.
+    """
+    fields = {}
+    for word in words:
+        name, equals, text = word.partition("=")
+        if not equals:
+            raise InputError(f"--uncertain {word}: write it as NAME=VALUE")
+        fields[name.strip()] = parse(text.strip(), 0.0, f"--uncertain {word}")
+    return fields
 
 
 def size_of(text: str) -> tuple[int, int]:

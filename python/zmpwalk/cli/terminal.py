@@ -15,6 +15,7 @@ __all__ = [
     "STOOD",
     "Parts",
     "Progress",
+    "Share",
     "complain",
     "new_console",
     "number",
@@ -73,6 +74,43 @@ class Progress:
         if self._bar is not None:
             if kind is None:
                 self._bar.update(self._task, completed=self._duration)
+            self._bar.stop()
+
+
+class Share:
+    """How much of a long work is done: a bar on a terminal, otherwise a line now and then; always on stderr."""
+
+    EVERY = 10.0  # between lines in a file or pipe [s of wall time]
+
+    def __init__(self, what: str):
+        self._what, self._bar, self._task = what, None, None  # type: str, Any, Any
+        self._next = 0.0
+
+    def __enter__(self) -> Share:
+        if sys.stderr.isatty():
+            from rich.console import Console
+            from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+            self._bar = Progress(
+                TextColumn(self._what),
+                BarColumn(),
+                MofNCompleteColumn(),
+                TimeRemainingColumn(),
+                console=Console(stderr=True),
+            )
+            self._bar.start()
+            self._task = self._bar.add_task(self._what, total=None)
+        return self
+
+    def at(self, done: float, total: float) -> None:
+        if self._bar is not None:
+            self._bar.update(self._task, completed=done, total=total)
+        elif time.monotonic() >= self._next:
+            self._next = time.monotonic() + self.EVERY
+            print(f"{self._what}: {done:g} of {total:g}", file=sys.stderr, flush=True)
+
+    def __exit__(self, *rest: Any) -> None:
+        if self._bar is not None:
             self._bar.stop()
 
 

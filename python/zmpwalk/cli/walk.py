@@ -15,9 +15,9 @@ from ..files import as_input_error, together
 from ..motion import JointMotion
 from ..profiles import profile_of
 from ..robots import examine
-from ..simulation import WalkingController, check_duration, run
+from ..simulation import ON_FALL, Outside, WalkingController, check_duration, run
 from ..trace import Trace
-from .options import walk_options
+from .options import unsure, walk_options
 from .terminal import FELL, INTERRUPTED, STOOD, Progress, new_console, number
 
 __all__ = ["command"]
@@ -33,6 +33,28 @@ MISMATCH = 0.002  # feet off the planned velocity by this are worth a warning [m
     help="CSV file with angles of arms, waist and trunk over time, headed t,JOINT,...",
 )
 @click.option(
+    "--push",
+    multiple=True,
+    metavar="T:DURATION:BODY:FX,FY,FZ",
+    help="Force [N] on a body from T for DURATION [s]: 3.0:0.08:torso:0,50,0; no BODY is the trunk. Repeatable.",
+)
+@click.option(
+    "--uncertain",
+    multiple=True,
+    metavar="NAME=VALUE",
+    help="What the controller does not know, a field of zmpwalk.Uncertainty such as noise=1 or torque_delay=0.008; "
+    "may be repeated.",
+)
+@click.option("--simulated", help="The robot that is simulated, where the controller's --robot is not the true one.")
+@click.option("--seed", type=int, default=0, show_default=True, help="Of all that is random.")
+@click.option(
+    "--on-fall",
+    type=click.Choice(ON_FALL),
+    default="stop",
+    show_default=True,
+    help="go_on: walk on until the robot lies on the ground, whatever the controller says.",
+)
+@click.option(
     "--out", type=click.Path(path_type=Path), help="Folder for trace, summary and figures.  [default: out/ROBOT-LAW]"
 )
 @click.option("--json", "as_json", is_flag=True, help="Print nothing but the summary, as JSON, on stdout.")
@@ -43,6 +65,11 @@ def command(
     motion: Path | None,
     duration: float,
     settings: Any,
+    push: tuple[str, ...],
+    uncertain: tuple[str, ...],
+    simulated: str | None,
+    seed: int,
+    on_fall: str,
     out: Path | None,
     as_json: bool,
     no_figures: bool,
@@ -55,6 +82,8 @@ def command(
     name = robot if robot.isidentifier() else found.description.name
     controller = WalkingController(model, found.description, settings, velocity)
     controller.move(None if motion is None else JointMotion.from_csv(motion))
+    outside = Outside.of(controller, seed, push, on_fall, unsure(uncertain), simulated)
+    outside.simulation(controller)
     mismatch = controller.plan_mismatch(duration)
     out = out or Path("out") / f"{name}-{settings.law}"
     with together(out) as (draft, deliver):
@@ -70,7 +99,7 @@ def command(
         try:
             with as_input_error(out):
                 with progress:
-                    trace = run(controller, duration, progress.at, robot=name)
+                    trace = run(controller, duration, progress.at, seed, name, outside=outside)
                 files = _write(trace, draft, no_figures)
         except KeyboardInterrupt:
             print(f"zmpwalk: stopped at t = {progress.t:.2f} s of {duration:g} s; nothing was written", file=sys.stderr)

@@ -98,6 +98,9 @@ class FootstepPlanner {
 
   /// The plan around a double support with its middle at `t_mid` [s], and in the `period` [s] after it.
   PlannedStance stance_at(double t_mid, double period) const;
+  /// Steps are to be longer than the plan's by `speed` times their period [m/s].
+  void hurry(double speed) { hurried_ = speed; }
+  double hurried() const { return hurried_; }
 
   /// How far step `n` lands ahead of the stance foot, where the double support after it is that of `next` [m].
   double lead(int n, const PlannedStance& next) const;
@@ -123,7 +126,9 @@ class FootstepPlanner {
   ///
   /// @param ahead_of_plan, aside  how far from its planned place the foot has to land to catch the DCM: ahead, and to the left [m]
   /// @param planned  where the plan puts this foot
-  const Foothold& follow(double ahead_of_plan, double aside, const PathPoint& planned);
+  /// @param foot  where the foot comes by itself in the time left, and   @param way  how far from there it can still be moved, ahead and aside (2,) [m]
+  const Foothold& follow(double ahead_of_plan, double aside, const PathPoint& planned, const Vec2& foot,
+                         const Vec2& way);
 
   const Foothold& target() const { return target_; }
   /// Distance along the ground of an ankle from the point below its hip: the larger one of the foot `side` as it lands and of the other foot as it
@@ -151,6 +156,7 @@ class FootstepPlanner {
   PathPoint stance_;
   Side swing_ = kLeft;
   bool closing_ = false;
+  double hurried_ = 0.0;
 };
 
 }  // namespace zmpwalk

@@ -20,12 +20,18 @@ struct GaitInput {
   Vec2 com = Vec2::Zero(), dcom = Vec2::Zero();                    ///< "current" COM state of (16), (17), W [m, m/s]
   std::array<Vec3, 2> p_sole{Vec3::Zero(), Vec3::Zero()};          ///< sole centres, W [m]
   std::array<Mat3, 2> R_sole{Mat3::Identity(), Mat3::Identity()};  ///< sole orientations
+  double behind = 0.0;    ///< how far the COM is behind the plan along the heading [m]
   double catch_up = 0.0;  ///< speed that the velocity tracker adds to the planned one to make up lost way [m/s]
   /// Height at which the swing sole meets the ground, W [m]. NaN takes the stance sole's height, which is lower where the load has sunk that sole
   /// into a soft contact.
   double ground = kNaN;
   Vec2 contact = Vec2::Constant(kNaN);  ///< whether each foot touches the ground: 1 yes, 0 no, NaN unknown
 };
+
+/// The place of a sole with centre `p` and axes `R`.
+Foothold foothold_of(const Vec3& p, const Mat3& R);
+/// The places of both soles.
+std::array<Foothold, 2> feet_of(const GaitInput& in);
 
 /// What the gait asks for in one cycle.
 ///
@@ -114,10 +120,19 @@ class GaitGenerator {
   void move_sideways(const GaitInput& in);
   ZmpBounds room(const GaitInput& in, const std::array<ZmpBounds, 2>& bounds, const ZmpBounds& support) const;
   ZmpBounds sole_room(const Vec3& velocity) const;  // of the support foot alone
-  /// How far the DCM has left the plan: 0 as planned, 1 where the ZMP is to use the whole sole.
+  // What follows is for a robot that has been pushed (recovery.cpp); a quiet walk keeps its times and bounds.
+  void recover(const GaitInput& in);
+  void adjust_time(const GaitInput& in);  // of the landing
+  /// Share of the single support that counts against `steps.freeze`: a pushed robot decides on its foothold later.
+  double decided_share(const GaitInput& in) const;
+  /// How far the DCM has left its plan: 0 as planned, 1 where the ZMP is to use the whole sole.
   double urgency(const GaitInput& in) const;
-  void widen_room(const GaitInput& in);
-  void adjust_time(const GaitInput& in);
+  /// Speed that steps add to the planned one, to make up way that a push has cost or given [m/s].
+  double regain(const GaitInput& in) const;
+  Vec2 swing_velocity() const;                   // of the swing foot, W [m/s]
+  Vec2 way_in(double time) const;                // how far the swing foot can be moved, ahead and aside (2,) [m]
+  bool off_the_feet(const GaitInput& in) const;  // the DCM of a robot that stands has left its soles: it must step
+  void begin_catching(const GaitInput& in);      // from a stand
   /// Over the support foot. The ZMP may roll as far as the sole goes on its longer side; `end`: as it does at the end of a stance.
   void take_orbit(ForwardOrbit& orbit, const ZmpBounds& sole, double v, double period, bool end = false) const;
   void capture(const GaitInput& in, double time);
@@ -139,10 +154,13 @@ class GaitGenerator {
   SwingFoot swing_foot_;
   LinearInvertedPendulum pendulum_;
   std::array<ZmpBounds, 2> bounds_, whole_;
+  double least_apart_;  // middles of feet beside each other, so that they keep clear [m]
+  bool recovers_;       // from pushes
   StepAdjustment adjustment_;
-  double planned_landing_ = 0.0;  // of the foot in the air, before any adjustment [s]
-  double xi_planned_ = 0.0;       // lateral DCM now on the orbit, along H's y [m]
-  double xi_offset_ = 0.0;        // lateral DCM from the next foot when it takes over, on the orbit [m]
+  bool starting_ = true;          // the walk has begun from a stand, and no foot has lifted yet
+  double planned_landing_ = 0.0;  // time at which the foot in the air lands if nothing disturbs it [s]
+  double xi_planned_ = 0.0;       // where the lateral orbit has the DCM now, from the support foot along H's y [m]
+  double xi_offset_ = 0.0;        // where it has the DCM when the next foot takes over, from that foot along H's y [m]
   GaitOutput out_;
   ZmpBounds sole_room_;      // bounds of the support foot at the planned velocity
   PlannedStance next_;       // stance of the foot that takes over next: the one that swings, or one that has landed

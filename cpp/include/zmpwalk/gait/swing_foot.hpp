@@ -26,11 +26,15 @@ class OwnTime {
   Motion1 at(double t) const;
   /// From `t` on [s] the own time is to come to its end `left` [s] > 0 later.
   void retime(double t, double left);
+  /// How far the own time goes on in `dt` [s] from `t` on.
+  double step(double t, double dt) const { return untouched() ? dt : at(t + dt).p - at(t).p; }
   double landing() const { return landing_; }  ///< when it comes to its end [s]
 
  private:
+  bool untouched() const { return !(blend_ > 0.0); }
+
   double end_, landing_;
-  Motion1 from_{0.0, 1.0, 0.0};                     // at `start_`
+  Motion1 from_{0.0, 1.0, 0.0};                    // at `start_`
   double start_ = 0.0, blend_ = 0.0, rate_ = 1.0;  // after the blend
 };
 
@@ -57,17 +61,20 @@ class SwingFoot {
   double duration() const { return sinks_ ? sunk_ : time_.landing(); }  ///< from lift-off to landing [s]
 
  private:
-  Motion1 height(double t, const Motion1& own) const;
+  Motion1 height(const Motion1& own) const;  // of the splines, in own time
 
   OwnTime time_;
-  double duration_ = 0.0, z_land_ = 0.0, speed_ = 0.0;  // in own time
-  double rise_ = 0.0;                                   // up for so long, then down
+  double duration_ = 0.0, z_land_ = 0.0;  // in own time
+  double rise_ = 0.0;                     // up for so long, then down
   Cubic up_, down_;
+  std::array<double, 3> to_{};   // where the splines in x, y, yaw lead
   std::array<Motion1, 3> next_;  // of the splines in x, y, yaw, in the cycle to come, by own time
-  // A foot that met no ground: from `since_` on down, with the acceleration `beside_` that fades out until `sunk_`.
+  // A foot that met no ground goes on from `since_` until `sunk_`, along cubics in x, y, yaw, z, and with what is left of the
+  // accelerations `beside_` that it had beside theirs.
   bool sinks_ = false;
-  double since_ = 0.0, sunk_ = 0.0, beside_ = 0.0;
-  Cubic sinking_;
+  double since_ = 0.0, sunk_ = 0.0;
+  std::array<Cubic, 4> sinking_;
+  std::array<double, 4> beside_{};
   double yaw_ = 0.0;  // of the target
   SwingTarget target_;
 };

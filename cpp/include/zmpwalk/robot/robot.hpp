@@ -79,6 +79,8 @@ class Robot {
   /// True for bodies that are the foot or hang from it.
   bool is_foot(Side side, int body) const;
   bool is_robot(int body) const;
+  /// True for the bodies of both legs: those that the first leg joint turns, and what hangs from them.
+  bool is_leg(int body) const;
   const std::vector<std::string>& joint_names() const { return joint_names_; }
   /// How the torque of each joint reaches MuJoCo (joints,).
   const std::vector<JointDrive>& drives() const { return actuation_.drives(); }

@@ -101,8 +101,8 @@ struct StepsSettings {
   std::vector<double> lengths;
   double width = kNaN, clearance = kNaN, shift = kNaN, filter_time = kNaN, give = 0.3, freeze = 0.7;
   double capture_distance = kNaN, capture_speed = kNaN;
-  bool timing = true;
-  double ahead_most = kNaN, aside_most = kNaN, least_time = kNaN, wait_time = kNaN, foot_speed = kNaN;
+  bool timing = false;
+  double ahead_most = kNaN, aside_most = kNaN, least_time = kNaN, wait_time = kNaN;
 
   template <class Self, class Visitor>
   static void rows(Self& g, Visitor&& v) {
@@ -133,19 +133,19 @@ struct StepsSettings {
     v(g.capture_speed, "capture_speed", "capture_speed", "m/s", must_be::kNotNegative, {0.2, of::kFroudeSpeed},
       "Most that the tracked speed yields, either way, to keep the DCM within capture_distance of its plan.");
     v(g.timing, "timing", "step_timing", "", must_be::kAnything, {},
-      "Whether the time of a step changes when the robot is pushed, so that the next foot can catch it. A walk that "
-      "nothing disturbs keeps its times.");
+      "Whether a robot that has been pushed changes the time of its step, uses the whole sole, and steps out of a "
+      "stand to "
+      "catch itself. It then needs room: lateral_reach=1.6 and foothold_reach of half the COM's height. Only with tied "
+      "footsteps.");
     v(g.ahead_most, "ahead_most", "step_ahead_most", "m", must_be::kPositive, {0.6, of::kComHeight},
-      "How far ahead of the standing foot, or behind it, a foot can be set down to catch the robot.");
+      "How far ahead of the standing foot, or behind it, a foot may be set down to catch the robot.");
     v(g.aside_most, "aside_most", "step_aside_most", "m", must_be::kPositive, {0.67, of::kComHeight},
-      "How far beside the standing foot a foot can be set down to catch the robot.");
+      "How far beside the standing foot a foot may be set down to catch the robot.");
     v(g.least_time, "least_time", "step_least_time", "s", must_be::kPositive, {1.1, of::kTimeConstant},
-      "Shortest single support that a step takes to catch the robot.");
+      "Shortest single support of a step that catches the robot.");
     v(g.wait_time, "wait_time", "step_wait_time", "s", must_be::kNotNegative, {3.0, of::kTimeConstant},
-      "How much longer than planned a foot stays in the air, at most, while the DCM (COM + T_c times its velocity) comes "
-      "back over the standing foot.");
-    v(g.foot_speed, "foot_speed", "step_foot_speed", "m/s", must_be::kPositive, {0.6, of::kFroudeSpeed},
-      "Mean horizontal speed with which a foot can be brought to another place to catch the robot.");
+      "How much longer than planned a foot may stay in the air, while the ZMP brings the DCM (COM + T_c times its "
+      "velocity) back over the standing foot.");
   }
 };
 
@@ -156,6 +156,7 @@ struct SwingSettings {
   double height = kNaN;
   bool feed_forward = true;
   double kp = kNaN, kd = kNaN;
+  double ahead_acceleration = kNaN, aside_acceleration = kNaN;
 
   template <class Self, class Visitor>
   static void rows(Self& g, Visitor&& v) {
@@ -173,6 +174,14 @@ struct SwingSettings {
     v(g.kd, "kd", "swing_kd", "1/s", must_be::kNotNegative, {120.0, of::kDamping},
       "Damping with which the foot in the air is held on its path: acceleration per velocity error, in position and "
       "orientation.");
+    v(g.ahead_acceleration, "ahead_acceleration", "swing_ahead_acceleration", "m/s^2", must_be::kPositive,
+      {2.0, of::kGravity},
+      "Acceleration, forward or backward, that a foothold may ask of the foot in the air beyond its way by itself. "
+      "More "
+      "would turn the standing foot on the ground.");
+    v(g.aside_acceleration, "aside_acceleration", "swing_aside_acceleration", "m/s^2", must_be::kPositive,
+      {4.0, of::kGravity},
+      "Acceleration, sideways, that a foothold may ask of the foot in the air beyond its way by itself.");
   }
 };
 
@@ -269,7 +278,8 @@ struct ZmpSettings {
       "Share of the sole's length and width that the ZMP may use when the robot has been pushed. It takes the place of "
       "sole_fraction as the DCM (COM + T_c times its velocity) leaves its plan.");
     v(g.corner_cut, "corner_cut", "corner_cut", "", must_be::kShare, {},
-      "Share of the sole's length that the ZMP gives up where it is at the sole's side: in a corner of the sole it would "
+      "Share of the sole's length that the ZMP gives up where it is at the sole's side: in a corner of the sole it "
+      "would "
       "tip the foot.");
   }
 };
@@ -280,6 +290,7 @@ struct TrackingSettings {
 
   TrackerLawName law{};
   double gain = kNaN, time = kNaN, catch_up_speed = kNaN, deadband = 2e-4;
+  double regain_from = kNaN, regain_gain = kNaN, regain_speed = kNaN;
 
   template <class Self, class Visitor>
   static void rows(Self& g, Visitor&& v) {
@@ -294,6 +305,14 @@ struct TrackingSettings {
     v(g.deadband, "deadband", "tracker_deadband", "m", must_be::kPositive, {},
       "How far the COM may be ahead of its plan or behind it before the bang-bang law drives it back. A drive ends a "
       "little beyond the plan, since time is discrete; without a deadband that would start the next drive.");
+    v(g.regain_from, "regain_from", "regain_from", "m", must_be::kNotNegative, {0.08, of::kComHeight},
+      "How far the COM must be behind its plan, or ahead of it, before steps become longer or shorter to make up for "
+      "it. "
+      "A push can cost half a metre. Only with tied footsteps.");
+    v(g.regain_gain, "regain_gain", "regain_gain", "1/s", must_be::kNotNegative, {0.14, of::kPerTimeConstant},
+      "Speed that those steps add per metre beyond regain_from.");
+    v(g.regain_speed, "regain_speed", "regain_speed", "m/s", must_be::kNotNegative, {0.045, of::kFroudeSpeed},
+      "Largest speed that those steps add or take away.");
   }
 };
 

@@ -12,7 +12,7 @@
 namespace zmpwalk {
 
 /// Why a walk ended.
-enum class Fall : int { kNone = 0, kHeight, kTilt, kFootTipped, kNonFinite, kNoContact };
+enum class Fall : int { kNone = 0, kHeight, kTilt, kFootTipped, kNonFinite, kNoContact, kDown };
 std::string to_string(Fall fall);
 
 /// Everything that one cycle decided. Every number that a figure shows is here.
@@ -167,9 +167,11 @@ void visit_columns(Visitor&& v) {
       "fell", [](const Out& out) { return out.fell != Fall::kNone; }, kOne, "", "",
       "Whether the robot has fallen, which ends the walk.");
   v("qpos", &After::qpos, kPositions, "m, rad", "W",
-    "Configuration that this cycle read, as in MuJoCo: position and unit quaternion of the base, then the joints.");
+    "Configuration of the robot as the cycle began, as in MuJoCo: position and unit quaternion of the base, then the "
+    "joints.");
   v("qvel", &After::qvel, kVelocities, "m/s, rad/s", "W",
-    "Velocity that this cycle read, as in MuJoCo: of the base, its rotation in its own axes, then of the joints.");
+    "Velocity of the robot as the cycle began, as in MuJoCo: of the base, its rotation in its own axes, then of the "
+    "joints.");
 }
 
 /// True where a cycle decides the column by itself: then it is also a property of CycleOutput in Python.

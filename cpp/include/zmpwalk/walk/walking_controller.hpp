@@ -147,7 +147,7 @@ class WalkingController {
   VelocityProfile profile_;
   SoleSize sole_;
   WalkSettings settings_;
-  std::array<ZmpBounds, 2> bounds_;
+  std::array<ZmpBounds, 2> bounds_, whole_;  // usual, and when pushed
   ComHeight height_;
   GaitGenerator gait_;
   LegReach reach_;

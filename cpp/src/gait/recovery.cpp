@@ -1,0 +1,130 @@
+// What the gait does when the robot is pushed: the parts of GaitGenerator that a quiet walk never feels.
+
+#include <algorithm>
+#include <cmath>
+
+#include "zmpwalk/gait/gait_generator.hpp"
+
+namespace zmpwalk {
+namespace {
+
+// Distances of the DCM from its plan, as shares of the sole's half length or half width.
+constexpr double kCalm = 0.3;   // up to here the ZMP keeps to its usual bounds: changes of speed make as much
+constexpr double kAlarm = 0.7;  // from here on it may use the whole sole
+
+constexpr double kSide = 0.4;  // the ZMP at this share of the half width, or less, is nowhere near a corner
+
+constexpr double kPushed = 0.5;      // urgency from which the robot counts as pushed
+constexpr double kFreezeLate = 0.9;  // share of the single support until which a pushed robot moves its foothold
+
+// Times in T_c.
+constexpr double kDecided = 0.36;  // a foot that is to land this soon keeps its time, so that it lands calmly
+constexpr double kTakenUp = 0.07;  // within this a new landing time is taken up; noise would shake the foot otherwise
+constexpr double kSame = 0.004;    // landing times that differ by less are the same
+constexpr int kLift = 3;  // control cycles of double support in which a standing robot shifts its load before it steps
+
+/// 0 up to 0, 1 from 1 on, smooth in between.
+double smooth_step(double x) {
+  const double s = std::clamp(x, 0.0, 1.0);
+  return s * s * (3.0 - 2.0 * s);
+}
+
+}  // namespace
+
+double GaitGenerator::regain(const GaitInput& in) const {
+  if (!recovers_ || out_.at_rest || starting_) return 0.0;
+  const TrackingSettings& tracking = settings_.tracking;
+  const double far = std::max(std::abs(in.behind) - tracking.regain_from, 0.0);
+  return std::copysign(std::min(tracking.regain_gain * far, tracking.regain_speed), in.behind);
+}
+
+Vec2 GaitGenerator::swing_velocity() const {
+  if (began_ == Began::kSingleSupport) return Vec2::Zero();
+  return out_.swing_target.v.head<2>();
+}
+
+Vec2 GaitGenerator::way_in(double time) const {
+  return Vec2(settings_.swing.ahead_acceleration, settings_.swing.aside_acceleration) * (time * time / 6.0);
+}
+
+bool GaitGenerator::off_the_feet(const GaitInput& in) const {
+  if (!out_.standing[kLeft] || !out_.standing[kRight]) return false;
+  const Vec2 xi = axes_of(out_.ahead_S).transpose() * (in.com + pendulum_.Tc() * in.dcom - out_.origin);
+  return xi != room(in, whole_, whole_[out_.support]).clamp(xi);
+}
+
+void GaitGenerator::begin_catching(const GaitInput& in) {
+  const Vec2 middle = 0.5 * (in.p_sole[kLeft] + in.p_sole[kRight]).head<2>();
+  const double aside = (in.com + pendulum_.Tc() * in.dcom - middle).dot(left_of(out_.ahead));
+  out_.at_rest = starting_ = false;
+  out_.swing = aside > 0.0 ? kRight : kLeft;
+  lateral_.reset(out_.swing);
+  footsteps_.restart(feet_of(in));
+  schedule_.begin(out_.phase.step, in.t, kLift * settings_.control.dt, times_at(in.t));
+}
+
+double GaitGenerator::urgency(const GaitInput& in) const {
+  if (starting_) return 0.0;
+  const Vec2 left = left_of(out_.ahead), from = in.com - out_.origin, &whole = whole_[out_.support].upper;
+  const double Tc = pendulum_.Tc(), x = from.dot(out_.ahead) - out_.orbit_middle;
+  const double ahead = Tc * (in.dcom.dot(out_.ahead) - out_.orbit.velocity(x)) / whole.x();
+  const double aside = before_switch() ? 0.0 : ((from + Tc * in.dcom).dot(left) - xi_planned_) / whole.y();
+  return smooth_step((std::max(std::abs(ahead), std::abs(aside)) - kCalm) / (kAlarm - kCalm));
+}
+
+double GaitGenerator::decided_share(const GaitInput& in) const {
+  const double share = out_.phase.time / out_.phase.duration;
+  if (!recovers_ || began_ == Began::kSingleSupport || urgency(in) < kPushed) return share;
+  return share * std::min(settings_.steps.freeze / kFreezeLate, 1.0);
+}
+
+void GaitGenerator::recover(const GaitInput& in) {
+  adjust_time(in);
+  // Sideways the whole sole serves at once: as long as nothing disturbs it, the ZMP stays near the middle there.
+  const ZmpBounds whole = room(in, whole_, whole_[out_.support]);
+  const double share = urgency(in);
+  out_.room.lower.y() = whole.lower.y();
+  out_.room.upper.y() = whole.upper.y();
+  out_.room.lower.x() += share * (whole.lower.x() - out_.room.lower.x());
+  out_.room.upper.x() += share * (whole.upper.x() - out_.room.upper.x());
+  // In a corner of the sole the ZMP would tip the foot.
+  const double beside = std::abs(out_.zmp_lateral) / whole_[out_.support].upper.y();
+  const double keep = 1.0 - settings_.zmp.corner_cut * smooth_step((beside - kSide) / (1.0 - kSide));
+  out_.room.lower.x() *= keep;
+  out_.room.upper.x() *= keep;
+}
+
+void GaitGenerator::adjust_time(const GaitInput& in) {
+  if (out_.phase.phase != Phase::kSingleSupport || footsteps_.closing() || swing_ == Swing::kOverdue) return;
+  const double Tc = pendulum_.Tc(), left = schedule_.touch_down() - in.t;
+  if (left < kDecided * Tc) return;
+  const StepsSettings& steps = settings_.steps;
+  StepLimits limits;
+  limits.planned = planned_landing_ - in.t;
+  limits.current = left;
+  limits.least = std::max(steps.least_time - out_.phase.time, kDecided * Tc);
+  limits.most = std::max(limits.planned + steps.wait_time, limits.least);
+  limits.take_over = 0.5 * schedule_.times().T_ds;
+
+  const Mat2 to_H = axes_of(out_.ahead).transpose();
+  const ZmpBounds& whole = whole_[out_.support];
+  const Vec2 xi = to_H * (in.com + Tc * in.dcom - out_.origin);
+  const Vec2 foot = to_H * (in.p_sole[out_.swing].head<2>() - out_.origin), velocity = to_H * swing_velocity();
+  const Vec2 drift(out_.v_plan.x(), 0.0);
+  const Vec2 place = to_H * (out_.foothold.p - out_.origin) + (limits.planned - left) * drift;
+  const double near = side_sign(out_.swing) * least_apart_, far = side_sign(out_.swing) * steps.aside_most;
+  const double ahead_most = std::max(steps.ahead_most, std::abs(place.x()));
+  const Vec2 lower(-ahead_most, std::min(near, far)), upper(ahead_most, std::max(near, far));
+  const Vec2 offset(xi_start_, xi_offset_), give(steps.capture_distance, 0.0);
+  const Vec2 acceleration(settings_.swing.ahead_acceleration, settings_.swing.aside_acceleration);
+  std::array<StepAxis, 2> axes;
+  for (int i = 0; i < 2; ++i)
+    axes[i] = {xi[i],    whole.lower[i], whole.upper[i], place[i],        drift[i],  lower[i],
+               upper[i], foot[i],        velocity[i],    acceleration[i], offset[i], give[i]};
+  const double best = adjustment_.time(pendulum_, axes, limits);
+  if (std::abs(best - left) < kSame * Tc) return;
+  const double taken_up = -std::expm1(-settings_.control.dt / (kTakenUp * Tc));
+  schedule_.retime(in.t, left + taken_up * (best - left));
+}
+
+}  // namespace zmpwalk
