@@ -179,7 +179,7 @@ BOOST_AUTO_TEST_CASE(cycle_that_keeps_limits_allocates_nothing) {
   const Seen few = walk(2.0, s);
   stays_off_the_heap(few);
   BOOST_CHECK(few.held && !few.saturated && few.single && few.both);
-  // Weak hips too: the second attempt, in which the soles' limits give.
+  // Weak hips too: the soles' limits give.
   for (const char* joint : {"l_hip_roll", "r_hip_roll"}) s.control.torque_limits[joint] = 10.0;
   const Seen many = walk(0.6, s);
   stays_off_the_heap(many);

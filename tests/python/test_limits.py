@@ -70,10 +70,33 @@ def test_paper_law_cuts_and_the_default_keeps():
     assert WalkSettings().keep_limits and not WalkSettings("paper").keep_limits
 
 
-def test_arms_swing_by_default_where_the_sole_is_small():
-    model, description = zmpwalk.load_robot("mahru")
-    assert zmpwalk.WalkingController(model, description).settings.momentum_arms == 0.0
-    slippery = WalkSettings(friction=0.2)
-    assert zmpwalk.WalkingController(model, description, slippery).settings.momentum_arms == 1.0
-    still = WalkSettings(friction=0.2, momentum_arms=0.0)
-    assert zmpwalk.WalkingController(model, description, still, VelocityProfile.paper()).settings.momentum_arms == 0.0
+def shoulders(trace):
+    names = trace.meta["joint_names"]
+    return np.abs(np.diff([trace.qpos[:, 7 + names.index(f"{side}_shoulder_pitch")] for side in "lr"], axis=0)[0])
+
+
+def test_arms_help_while_a_sole_cannot_hold_the_yaw_moment_and_come_home():
+    """The floor is as rough as ever; only the controller thinks that it is slippery."""
+    profile = VelocityProfile.piecewise([(0, 0), (1, 0.3), (4, 0.3), (5, 0)])
+    helped, alone = (simulate(profile=profile, duration=9.0, settings=WalkSettings(friction=0.1, arms_reserve=share)) for share in (1.0, 0.0))  # fmt: skip
+    yaw = (helped.limit_soles.astype(int) & 0x88) > 0
+    assert yaw.any() and not helped.fell.any()
+    first = np.flatnonzero(yaw)[0]
+    assert np.array_equal(helped.tau[:first], alone.tau[:first])  # until then nothing is different
+    assert shoulders(helped).max() > 10 * shoulders(alone).max()
+    assert shoulders(helped)[-1] < 0.02  # rad
+    assert yaw.sum() < ((alone.limit_soles.astype(int) & 0x88) > 0).sum()
+
+
+@pytest.mark.parametrize("seed", [0, 1])
+def test_noise_of_real_sensors_never_cuts_a_torque(seed):
+    trace = simulate(profile=0.25, duration=12.0, seed=seed, uncertainty={"noise": 1.0})
+    assert not trace.fell.any() and not trace.saturated.any()
+
+
+def test_walk_on_a_slippery_floor_that_nobody_told_goes_on_for_a_minute():
+    trace = simulate(profile=VelocityProfile.ramp(0, 0.25, 2), duration=60.0, uncertainty={"ground_friction": 0.2})
+    assert not trace.fell.any() and trace.t[-1] > 59.9
+    late = trace.t > 10.0
+    speed = (trace.com[-1, 0] - trace.com[late][0, 0]) / (trace.t[-1] - trace.t[late][0])
+    assert speed == pytest.approx(0.25, rel=0.02)

@@ -37,9 +37,10 @@ std::array<int, TaskSolver::kUnknowns> unknowns_of(const std::array<std::vector<
 
 }  // namespace
 
-TaskSlack::TaskSlack(int nv) : f_c(Eigen::Matrix<double, 12, 4 * kGroups>::Zero()) {
-  ddq.fill(Group::Zero(nv, 4));
-  w.fill(Group::Zero(nv, 4));
+TaskSlack::TaskSlack(int nv)
+    : f_c(Eigen::Matrix<double, 12, kColumns>::Zero()), leg_ddq(Legs::Zero()), leg_tau(Legs::Zero()) {
+  ddq.fill(TaskSolver::Affine::Zero(nv, 4));
+  w.fill(TaskSolver::Affine::Zero(nv, 4));
 }
 
 WholeBodyController::WholeBodyController(int nv, const std::array<std::vector<int>, 2>& legs,
@@ -325,97 +326,114 @@ Vec2 WholeBodyController::zmp_of(const Vec12& f_c) const {
   return zmp_on_plane(total.F, total.M, s, plane_).head<2>();
 }
 
-void WholeBodyController::slack(const TaskGive& give, const WholeBodyResult& now, const std::vector<int>& posture,
-                                TaskSlack& out) const {
-  using Known = Eigen::Matrix<double, kUnknowns, 4>;
+bool WholeBodyController::answers_by_leg(const Answers& rhs, Answers& x) const {
+  // As in `solve_by_leg`, for many right sides: with the inverse of each J_leg.
   const Dynamics& dyn = *dynamics_;
-  const bool both = stance_.both();
-  const int joints = nv_ - 6;
-  out.columns = TaskSlack::kOwn + static_cast<int>(posture.size());
+  std::array<Eigen::Matrix<double, 6, 6>, 2> inverse;
+  Mat3 S = Mat3::Identity();
+  Eigen::Matrix<double, 3, TaskSlack::kColumns> r = rhs.bottomRows<3>();
+  for (const Side side : kSides) {
+    Eigen::Matrix<double, 3, 6> J_com;
+    Eigen::Matrix<double, 6, 12, Eigen::RowMajor> system = Eigen::Matrix<double, 6, 12, Eigen::RowMajor>::Zero();
+    for (int i = 0; i < 6; ++i) J_com.col(i) = dyn.J_com.col(6 + legs_[side][i]);
+    for (const int first : {0, 2}) {
+      for (int i = 0; i < 6; ++i) system.col(i) = dyn.sole[side].J.col(6 + legs_[side][i]);
+      system.rightCols<4>().setZero();
+      system.block<4, 4>(first, 8).setIdentity();
+      if (!(kernel_->solve_leg(system.data()) >= options_.singular_pivot)) return false;
+      inverse[side].middleCols<4>(first) = system.rightCols<4>();
+    }
+    x.middleRows<6>(3 + 6 * side).noalias() = inverse[side] * rhs.middleRows<6>(6 * side);
+    r.noalias() -= J_com * x.middleRows<6>(3 + 6 * side);
+    S.noalias() -= J_com * inverse[side].leftCols<3>();
+  }
+  if (!(std::abs(S.determinant()) >= options_.singular_pivot)) return false;
+  x.topRows<3>().noalias() = S.inverse() * r;
+  for (const Side side : kSides)
+    x.middleRows<6>(3 + 6 * side).noalias() -= inverse[side].leftCols<3>() * x.topRows<3>();
+  return true;
+}
 
-  // K x = -(columns of what is known) + (what is asked of soles and COM).
+void WholeBodyController::answers_together(const Answers& rhs, Answers& x) const {
   const TaskSolver::Rows K = rows_together();
-  Eigen::PartialPivLU<TaskSolver::Rows> lu;
-  Eigen::LLT<TaskSolver::Rows> llt;
   if (damped_) {
     TaskSolver::Rows gram = K * K.transpose();
     gram.diagonal().array() += options_.damping * options_.damping;
-    llt.compute(gram);
+    x = K.transpose() * Eigen::LLT<TaskSolver::Rows>(gram).solve(rhs);
   } else {
-    lu.compute(K);
-  }
-  const auto bring_over = [&](int dof, double ddq, Known& rhs, int c) {
-    rhs.col(c).head<6>() -= ddq * dyn.sole[kLeft].J.col(dof);
-    rhs.col(c).segment<6>(6) -= ddq * dyn.sole[kRight].J.col(dof);
-    rhs.col(c).tail<3>() -= ddq * dyn.J_com.col(dof);
-  };
-  const Vec3 &s = dyn.sole[stance_.support].p_WF, base = dyn.p_WB - s,
-             middle = 0.5 * (dyn.sole[kLeft].p_WF + dyn.sole[kRight].p_WF);
-  const double load_left = both ? now.f_c[2] / (now.f_c[2] + now.f_c[8]) : (stance_.standing[kLeft] ? 1.0 : 0.0);
-
-  for (int g = 0; 4 * g < out.columns; ++g) {
-    TaskSlack::Group &ddq = out.ddq[g], &w = out.w[g];
-    Known rhs = Known::Zero();
-    ddq.setZero();
-    bool moves = false;
-    for (int c = 0; c < 4 && 4 * g + c < out.columns; ++c) {
-      const int k = 4 * g + c;
-      if (k < 3) {
-        rhs(12 + k, c) = k < 2 ? give.com : give.height;
-      } else if (k < 6) {
-        ddq.col(c).segment<3>(3) = give.trunk * dyn.R_WB.row(k - 3).transpose();
-        for (int i = 3; i < 6; ++i) bring_over(i, ddq(i, c), rhs, c);
-      } else if (k < TaskSlack::kOwn) {
-        if (both) continue;
-        rhs(6 * stance_.swing() + k - 6, c) = k < 9 ? give.swing : give.swing_angular;
-      } else {
-        const int dof = 6 + posture[k - TaskSlack::kOwn];
-        ddq(dof, c) = give.posture / dyn.A(dof, dof);
-        bring_over(dof, ddq(dof, c), rhs, c);
-      }
-      moves = true;
-    }
-    if (moves) {
-      const Known x = damped_ ? Known(K.transpose() * llt.solve(rhs)) : Known(lu.solve(rhs));
-      for (int i = 0; i < kUnknowns; ++i) ddq.row(unknown_[i]) = x.row(i);
-      kernel_->multiply(nv_, dyn.A.data(), dyn.A_sparsity.spans(), ddq.data(), w.data());
-    } else {
-      w.setZero();
-    }
-
-    // Wrenches from the base rows, torques from the joints' rows.
-    auto f_c = out.f_c.middleCols<4>(4 * g);
-    f_c.setZero();
-    for (int c = 0; c < 4 && 4 * g + c < out.columns; ++c) {
-      const Vec3 F = -w.col(c).head<3>(), M = base.cross(F) - dyn.R_WB * w.col(c).segment<3>(3);
-      for (const Side side : kSides) {
-        if (!stance_.standing[side]) continue;
-        const Vec3& p = dyn.sole[side].p_WF;
-        const double share = side == kLeft ? load_left : 1.0 - load_left;
-        f_c.col(c).segment<3>(6 * side) = share * F;
-        f_c.col(c).segment<3>(6 * side + 3) = share * (M + (s - p).cross(F));
-        const int k = 4 * g + c - 6;
-        if (!both || k < 0 || k >= 6) continue;
-        Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
-        (k < 3 ? force : moment)[k % 3] = side_sign(side) * (k < 3 ? give.load_force : give.load_moment);
-        f_c.col(c).segment<3>(6 * side) += force;
-        f_c.col(c).segment<3>(6 * side + 3) += moment + (middle - p).cross(force);
-      }
-    }
-    for (const Side side : kSides)
-      if (stance_.standing[side])
-        w.bottomRows(joints).noalias() +=
-            dyn.sole[side].J.rightCols(joints).transpose().lazyProduct(f_c.middleRows<6>(6 * side));
+    x = Eigen::PartialPivLU<TaskSolver::Rows>(K).solve(rhs);
   }
 }
 
-void WholeBodyController::apply(const TaskSlack& slack, const ConstVecRef& y, WholeBodyResult& out) const {
-  for (int k = 0; k < slack.columns; ++k) {
-    const auto g = static_cast<std::size_t>(k / 4);
-    out.ddq += y[k] * slack.ddq[g].col(k % 4);
-    out.tau += y[k] * slack.w[g].col(k % 4).tail(nv_ - 6);
-    for (const Side side : kSides)
-      if (stance_.standing[side]) out.f_c.segment<6>(6 * side) += y[k] * slack.f_c.col(k).segment<6>(6 * side);
+void WholeBodyController::slack(const TaskGive& give, const WholeBodyResult& now, TaskSlack& out) const {
+  const Dynamics& dyn = *dynamics_;
+  const bool both = stance_.both();
+  // Rows of both soles and of the COM: what is asked of them, less what the trunk's turn does to them.
+  Answers rhs = Answers::Zero(), x;
+  rhs(12, 0) = rhs(13, 1) = give.com;
+  rhs(14, 2) = give.height;
+  const Mat3 turn = give.trunk * dyn.R_WB.transpose();  // columns of the base's rotation, in its axes
+  for (const Side side : kSides) rhs.block<6, 3>(6 * side, 3).noalias() = -(dyn.sole[side].J.middleCols<3>(3) * turn);
+  rhs.block<3, 3>(12, 3).noalias() = -(dyn.J_com.middleCols<3>(3) * turn);
+  if (!both)
+    for (int k = 0; k < 6; ++k) rhs(6 * stance_.swing() + k, 6 + k) = k < 3 ? give.swing : give.swing_angular;
+  if (damped_ || !answers_by_leg(rhs, x)) answers_together(rhs, x);
+
+  const Vec3& s = dyn.sole[stance_.support].p_WF;
+  const Vec3 base = dyn.p_WB - s;
+  Eigen::Matrix<double, 3, TaskSlack::kColumns> F, M;  // of both feet, the moment about s
+  for (int g = 0; g < TaskSlack::kGroups; ++g) {
+    TaskSolver::Affine &ddq = out.ddq[g], &w = out.w[g];
+    for (int i = 0; i < kUnknowns; ++i) ddq.row(unknown_[i]) = x.block<1, 4>(i, 4 * g);
+    for (int c = 0; c < 4; ++c) {
+      const int k = 4 * g + c;
+      ddq.col(c).segment<3>(3) = k >= 3 && k < 6 ? Vec3(turn.col(k - 3)) : Vec3(Vec3::Zero());
+    }
+    kernel_->multiply(nv_, dyn.A.data(), dyn.A_sparsity.spans(), ddq.data(), w.data());
+    F.middleCols<4>(4 * g) = -w.topRows<3>();
+    M.middleCols<4>(4 * g).noalias() = -(dyn.R_WB * w.middleRows<3>(3));
+  }
+  out.leg_ddq = x.bottomRows<12>();
+  for (int k = 0; k < TaskSlack::kColumns; ++k) M.col(k) += base.cross(F.col(k));
+
+  // Wrenches from the base's rows, torques from the joints' rows.
+  const double left = both ? now.f_c[2] / (now.f_c[2] + now.f_c[8]) : 1.0;
+  const Vec3 middle = 0.5 * (dyn.sole[kLeft].p_WF + dyn.sole[kRight].p_WF);
+  for (const Side side : kSides) {
+    auto f = out.f_c.middleRows<6>(6 * side);
+    f.setZero();
+    const Vec3 &p = dyn.sole[side].p_WF, arm = s - p;
+    const double share = side == kLeft || !both ? left : 1.0 - left;
+    for (int k = 0; stance_.standing[side] && k < TaskSlack::kColumns; ++k) {
+      f.col(k) << share * F.col(k), share * (M.col(k) + arm.cross(F.col(k)));
+      if (!both || k < 6) continue;
+      Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
+      (k < 9 ? force : moment)[k % 3] = side_sign(side) * (k < 9 ? give.load_force : give.load_moment);
+      f.col(k) << force, moment + (middle - p).cross(force);
+    }
+    for (int i = 0; i < 6; ++i) {
+      const int dof = 6 + legs_[side][i];
+      auto tau = out.leg_tau.row(6 * side + i);
+      tau << out.w[0].row(dof), out.w[1].row(dof), out.w[2].row(dof);
+      if (stance_.standing[side]) tau.noalias() += dyn.sole[side].J.col(dof).transpose() * f;
+    }
+  }
+}
+
+void WholeBodyController::apply(const TaskSlack& slack, const Eigen::Matrix<double, TaskSlack::kColumns, 1>& y,
+                                WholeBodyResult& out) const {
+  const Dynamics& dyn = *dynamics_;
+  const int joints = nv_ - 6;
+  for (int g = 0; g < TaskSlack::kGroups; ++g) {
+    const Eigen::Vector4d y_g = y.segment<4>(4 * g);
+    out.ddq += slack.ddq[g].lazyProduct(y_g);
+    out.tau += slack.w[g].bottomRows(joints).lazyProduct(y_g);
+  }
+  for (const Side side : kSides) {
+    if (!stance_.standing[side]) continue;
+    const Vec6 f = slack.f_c.middleRows<6>(6 * side) * y;
+    out.f_c.segment<6>(6 * side) += f;
+    out.tau += dyn.sole[side].J.rightCols(joints).transpose().lazyProduct(f);
   }
 }
 

@@ -325,10 +325,6 @@ double Robot::sole_friction(Side side) const {
   return std::isfinite(least) ? least : own;
 }
 
-double Robot::leg_mass(Side side) const {
-  return m_->body_subtreemass[m_->dof_bodyid[dof0_ + 6 + leg_joints_[side].front()]];
-}
-
 std::pair<double, double> Robot::joint_range(int joint) const {
   const int id = m_->dof_jntid[dof0_ + 6 + joint];
   constexpr double kInfinity = std::numeric_limits<double>::infinity();

@@ -64,7 +64,6 @@ WalkSettings::WalkSettings(const std::string& preset) : law(preset) {
   gait.stand = false;
   contact.load_alone = 0.0;
   limits.keep = false;
-  arms.momentum = 0.0;
   rate.limit = false;
 }
 
@@ -93,13 +92,6 @@ double knee_share(const RobotScale& robot, const WalkSettings& s, double lift, d
   return robot.knee_per_lift * (robot.knee_armature * ddl + robot.knee_damping * dl) / robot.knee_torque;
 }
 
-double twist_share(const RobotScale& robot, const WalkSettings& s, double speed) {
-  const double T_ss = s.gait.T_ss, T = T_ss + s.gait.T_ds;
-  const double friction = std::isnan(s.limits.friction) ? robot.friction : s.limits.friction;
-  const double asked = 0.5 * robot.leg_mass * 12.0 * speed * T / (T_ss * T_ss) * s.steps.width;
-  return robot.mass > 0.0 ? asked / (friction * robot.mass * robot.gravity * robot.sole_radius) : 0.0;
-}
-
 namespace defaults {
 
 double time_step(double, const Scale& scale) { return scale.robot.timestep; }
@@ -114,13 +106,6 @@ double cadence_exponent(double, const Scale& scale) { return scale.settings.step
 double feet_apart(double, const Scale& scale) { return scale.robot.foot_distance; }
 
 double friction(double, const Scale& scale) { return scale.robot.friction; }
-
-double arm_momentum(double, const Scale& scale) {
-  constexpr double kSpeed = 0.15;  // of a walk, over sqrt(g z_c)
-  const bool needed =
-      scale.settings.posture.task && twist_share(scale.robot, scale.settings, kSpeed * scale.speed) > 1.0 / 3.0;
-  return needed && scale.robot.has_arms ? 1.0 : 0.0;
-}
 
 double step_height(double, const Scale& scale) {
   // Rotor and damping of the knee may take this share of its torque; the step height is lowered for that, but not below the least height.

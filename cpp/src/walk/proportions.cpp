@@ -15,11 +15,6 @@ RobotScale scale_of(const Robot& robot) {
   RobotScale scale{height_over_soles(dyn), dyn.gravity.norm(), robot.timestep(),
                    (dyn.sole[kLeft].p_WF - dyn.sole[kRight].p_WF).head<2>().norm()};
   scale.friction = std::min(robot.sole_friction(kLeft), robot.sole_friction(kRight));
-  scale.mass = dyn.mass;
-  scale.leg_mass = std::max(robot.leg_mass(kLeft), robot.leg_mass(kRight));
-  const SoleSize sole = common_sole(robot.description());
-  scale.sole_radius = 0.5 * std::hypot(sole.length, sole.width);
-  scale.has_arms = !robot.arm_joints().empty();
   // Law of cosines over hip, knee and ankle: d(length)/d(angle) = thigh shank sin(angle) / length.
   const double length = leg.hip_to_ankle.norm();
   const double cosine =

@@ -199,6 +199,7 @@ void WalkingController::start() {
   dcom_des_ = dyn.dcom.head<2>();
   start_ = gait_input(0.0, com_des_, dcom_des_);
   gait_.reset(start_, height_.pendulum());
+  arms_.reset();
   tracker_.reset();
   mailbox_.clear();
   VecX tau = std::move(out_.tau);
@@ -292,6 +293,7 @@ void WalkingController::cycle(const State& state) {
   stance_.standing = gait.standing;
   stance_.support = gait.support;
   stance_.lateral << left_of(gait.ahead), 0.0;
+  arms_.help(out_.limits.holds_yaw());
   if (arms_.on()) arms_.command(dyn, stance_, f_xy_, gait.v_plan.z(), body_.reference(), added_, whole_body_, f_star_);
   whole_body_.prepare(dyn, stance_, f_star_, &added_);
 

@@ -47,6 +47,8 @@ struct ActiveLimits {
 
   static constexpr int kJoints = 53;  ///< that bits can name: a record keeps them as floating-point numbers
   bool any() const { return feet != 0 || torques != 0 || ranges != 0; }
+  /// Whether the yaw friction of a sole is one of them.
+  bool holds_yaw() const { return (feet >> static_cast<int>(SoleLimit::kYaw) & 0x11) != 0; }
   /// In words, as "torque of l_knee", "range of r_hip_yaw", "friction of the left sole".
   std::vector<std::string> names(const std::vector<std::string>& joints) const;
 };
@@ -70,9 +72,11 @@ struct RobotLimits {
 ///   - every joint of a leg can still stop before the end of its range: ddq <= k (k/4 (end - q) - dq), which comes to rest there as a critically
 ///     damped joint does; the same at the other end.
 /// Motion, wrenches and torque are affine in what gives, so that this is `LeastChange`; what comes out satisfies the equations of motion
-/// as the closed form does. Where no motion keeps all limits, first the soles' and ranges' give, by as little as it takes.
+/// as the closed form does. Where no motion keeps all limits, the soles' and ranges' give, by as little as it takes.
 class LimitKeeper {
  public:
+  using Change = Eigen::Matrix<double, TaskSlack::kColumns, 1>;
+
   /// @param limits  of the robot   @param whole_body  whose results are to be kept; it outlives this
   /// @throws InputError  a sole without size or friction, a rate or weight that is not positive
   LimitKeeper(const RobotLimits& limits, const WholeBodyController& whole_body);
@@ -83,9 +87,10 @@ class LimitKeeper {
   bool keep(const Dynamics& dynamics, const Stance& stance, WholeBodyResult& out);
 
   const ActiveLimits& active() const { return active_; }  ///< those that held the last torque back
-  /// What the last call has changed, in the sizes of `give()`: (TaskSlack::kMost,), zero where nothing was.
-  const VecX& change() const { return change_; }
-  /// By how much the last torque breaks limits of soles and ranges, in shares of them, because no motion keeps all.
+  /// What the last call has changed, in the sizes of `give()`; zero where nothing was.
+  const Change& change() const { return change_; }
+  /// By how much the last torque breaks limits of soles and ranges, in shares of them, because no motion keeps all; where one does, this
+  /// is less than 1e-5.
   double excess() const { return excess_; }
   const TaskGive& give() const { return give_; }
   int passes() const { return least_.passes(); }  ///< of the last `LeastChange`
@@ -93,18 +98,15 @@ class LimitKeeper {
  private:
   using SoleRoom = Eigen::Matrix<double, kSoleRows, 1>;  // of the rows, in shares of their limits
   enum class Kind { kTorque, kRange, kSole };
-  struct Row {
+  struct Named {
     Kind kind;
     int which;  // joint, or kSoleRows side + row of the sole
   };
 
   bool are_kept(const Dynamics& dynamics, const Stance& stance, const WholeBodyResult& out);
   SoleRoom sole_room(Side side, const WholeBodyResult& out) const;
-  /// True where `out` breaks no limit of torque, and by no more than `excess` any other.
-  bool has_kept(const Stance& stance, const WholeBodyResult& out, double excess) const;
-  /// @param near  room of the rows that are looked at, in shares of their limits; all rows where it is infinite
-  bool solve(const Stance& stance, WholeBodyResult& out, double near);
-  void note(const Row& row);
+  bool solve(const Stance& stance, WholeBodyResult& out);
+  void note(const Named& row);
 
   RobotLimits limits_;
   const WholeBodyController* whole_body_;
@@ -113,14 +115,12 @@ class LimitKeeper {
   // Of this instant: bounds of ddq, and the room of the soles' rows at the closed form's torque.
   VecX upper_, lower_;
   std::array<SoleRoom, 2> sole_room_;
-  std::vector<bool> in_leg_;
   TaskSlack slack_;
   LeastChange least_;
-  std::vector<Row> rows_;
+  std::array<Named, LeastChange::kRows> named_;
   ActiveLimits active_;
-  VecX change_;
+  Change change_ = Change::Zero();
   double excess_ = 0.0;
-  WholeBodyResult changed_;
 };
 
 }  // namespace zmpwalk

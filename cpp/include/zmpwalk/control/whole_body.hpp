@@ -66,30 +66,24 @@ struct TaskGive {
   double com = 0.3, height = 3.0;              ///< [m/s^2]
   double trunk = 30.0;                         ///< [rad/s^2]
   double swing = 20.0, swing_angular = 200.0;  ///< [m/s^2], [rad/s^2]
-  double posture = 100.0;                      ///< of a joint outside the legs, over its own inertia [N m]
   double load_force = 1.0, load_moment = 1.0;  ///< that one foot takes over from the other [N], [N m]
 };
 
 /// How motion, wrenches and torque answer a change of what the tasks ask for; each column in the size of `TaskGive`.
 ///
 /// Columns 0-2: COM x, y, z; 3-5: trunk; 6-11: swing sole, linear then angular, or in double support the force and moment that the left
-/// foot takes over from the right, about the middle between the sole centres; then joints outside the legs. All along the world's axes.
-/// They lie in groups of four, as `Kernel` wants them.
+/// foot takes over from the right, about the middle between the sole centres. All along the world's axes. The rows of the legs are those
+/// of the six joints of the left leg, then of the right one.
 struct TaskSlack {
-  static constexpr int kOwn = 12, kPosture = 11, kMost = kOwn + kPosture, kGroups = (kMost + 3) / 4;
-  using Group = TaskSolver::Affine;
+  static constexpr int kColumns = 12, kGroups = kColumns / 4;
+  using Legs = Eigen::Matrix<double, 12, kColumns, Eigen::RowMajor>;
 
   explicit TaskSlack(int nv);
-  /// Row i of `of` in all columns in use, into `out` (columns,).
-  template <class Out>
-  void row(const std::array<Group, kGroups>& of, Eigen::Index i, Out&& out) const {
-    for (int k = 0; k < columns; ++k) out[k] = of[static_cast<std::size_t>(k / 4)](i, k % 4);
-  }
 
-  int columns = 0;                             ///< in use
-  std::array<Group, kGroups> ddq;              ///< (nv,)
-  std::array<Group, kGroups> w;                ///< A ddq, and in the rows of the joints their torque (nv,)
-  Eigen::Matrix<double, 12, 4 * kGroups> f_c;  ///< left then right, zero where a foot is in the air
+  std::array<TaskSolver::Affine, kGroups> ddq;  ///< (nv,)[4], four columns in each, as `Kernel` wants them
+  std::array<TaskSolver::Affine, kGroups> w;    ///< A ddq (nv,)[4]
+  Eigen::Matrix<double, 12, kColumns> f_c;      ///< left then right, zero where a foot is in the air
+  Legs leg_ddq, leg_tau;
 };
 
 /// Computes the joint torques of a biped that give COM, trunk, swing foot and posture their commanded accelerations while the standing feet keep still.
@@ -150,15 +144,15 @@ class WholeBodyController {
   /// What changes with the tasks' accelerations at this instant; on the direct path alone. Allocates nothing.
   ///
   /// A change of the total wrench is shared by two feet as they share the load in `now`. User's tasks are not kept by these changes.
-  /// @param posture  joints outside the legs that may give, up to `TaskSlack::kPosture`
-  void slack(const TaskGive& give, const WholeBodyResult& now, const std::vector<int>& posture, TaskSlack& out) const;
-  /// Changes `out` by the columns of `slack` times y.
-  void apply(const TaskSlack& slack, const ConstVecRef& y, WholeBodyResult& out) const;
+  void slack(const TaskGive& give, const WholeBodyResult& now, TaskSlack& out) const;
+  /// Changes `out` by the columns of `slack` times y (TaskSlack::kColumns,).
+  void apply(const TaskSlack& slack, const Eigen::Matrix<double, TaskSlack::kColumns, 1>& y,
+             WholeBodyResult& out) const;
   /// World x and y of the ZMP of the feet's wrenches on `zmp_plane` (2,) [m]: eq. 14, 15.
   Vec2 zmp_of(const Vec12& f_c) const;
   /// True where torque, motion and wrenches are known to be affine in the tasks: on the direct path.
   bool is_direct() const { return !uses_textbook(); }
-  const std::vector<int>& posture_joints() const { return posture_; }
+  const std::array<std::vector<int>, 2>& legs() const { return legs_; }
 
   WholeBodyResult result() const;
   const WholeBodyOptions& options() const { return options_; }
@@ -177,6 +171,9 @@ class WholeBodyController {
   void prepare_direct(const TaskAccelerations& f_star, const TaskStack* tasks);
   bool solve_by_leg(const MotionRows& rows);
   void solve_together(const MotionRows& rows);
+  using Answers = Eigen::Matrix<double, kUnknowns, TaskSlack::kColumns>;
+  bool answers_by_leg(const Answers& rhs, Answers& x) const;
+  void answers_together(const Answers& rhs, Answers& x) const;
   TaskSolver::Rows rows_together() const;
   void prepare_textbook(const TaskAccelerations& f_star);
   void expand_zmp();

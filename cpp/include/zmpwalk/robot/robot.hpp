@@ -100,8 +100,6 @@ class Robot {
   /// Friction between a sole and the ground in the model: the least of the foot's geoms against the world's, as MuJoCo pairs them; that of
   /// the foot alone where the model has no ground.
   double sole_friction(Side side) const;
-  /// Mass of a leg, from its hip on [kg].
-  double leg_mass(Side side) const;
   /// Geometry of a leg at the start pose.
   RobotLeg leg_at_stand(Side side) const { return leg_[side]; }
   /// Sole centre in W, from the body poses that `d` holds (after mj_step: those of the state before it) [m].

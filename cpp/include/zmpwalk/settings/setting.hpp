@@ -16,10 +16,6 @@ struct RobotScale {
   double timestep = 0.0;       ///< of the model [s]
   double foot_distance = 0.0;  ///< lateral, at the start pose [m]
   double friction = 1.0;       ///< of the soles on the ground, in the model
-  // What the swing leg's yaw moment meets; nothing by default.
-  double mass = 0.0, leg_mass = 0.0;                             ///< of the robot and of one leg [kg]
-  double sole_radius = std::numeric_limits<double>::infinity();  ///< from a sole's centre to its corner [m]
-  bool has_arms = false;                                         ///< joints outside the legs that may swing
   // What swinging the foot costs the knee; with these values it costs nothing.
   double hip_to_ankle = std::numeric_limits<double>::infinity();  ///< at the start pose, seen from the side [m]
   double knee_per_lift = 0.0;  ///< knee angle per shortening of that distance, at the start pose [rad/m]

@@ -63,13 +63,6 @@ void visit_settings(Settings& s, Visitor&& v) {
 /// @param s its T_ss and T_ds are used   @param lift h [m]   @param speed v [m/s]
 double knee_share(const RobotScale& robot, const WalkSettings& s, double lift, double speed);
 
-/// Yaw moment with which the swing leg turns the stance foot, over the moment at which its sole slips.
-///
-/// The foot's cubic starts with 6 (2 v T) / T_ss^2 forward, half of the leg's mass goes with it, one step width beside the stance
-/// foot; the sole holds friction times weight times its radius.
-/// @param s T_ss, T_ds, width set   @param speed v [m/s]
-double twist_share(const RobotScale& robot, const WalkSettings& s, double speed);
-
 /// Replaces every NaN in `settings` by the robot's value, and checks them all.
 /// @param top_speed  highest speed at which the robot is to walk [m/s]
 /// @throws InputError  a value breaks a rule; the message gives name, value and rule

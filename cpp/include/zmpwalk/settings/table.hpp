@@ -22,7 +22,6 @@ double cadence_exponent(double, const Scale& scale);
 double feet_apart(double, const Scale& scale);
 double step_height(double, const Scale& scale);
 double friction(double, const Scale& scale);
-double arm_momentum(double, const Scale& scale);
 }  // namespace defaults
 
 struct GaitSettings {
@@ -389,21 +388,23 @@ struct ArmsSettings {
   static constexpr const char* kGroup = "arms";
   static constexpr const char* kMeaning = "How the arms swing so that the robot does not turn about the vertical.";
 
-  double momentum = kNaN, kp = kNaN, kd = kNaN;
+  double momentum = 0.0, kp = kNaN, kd = kNaN, reserve = 1.0, reserve_time = kNaN;
 
   template <class Self, class Visitor>
   static void rows(Self& g, Visitor&& v) {
-    v(g.momentum, "momentum", "momentum_arms", "", must_be::kShare,
-      {"1 where the robot has arms and the swing leg's yaw moment, at 0.15 sqrt(g z_c), takes more than a third of "
-       "what "
-       "the sole's friction holds; else 0",
-       defaults::arm_momentum},
+    v(g.momentum, "momentum", "momentum_arms", "", must_be::kShare, {},
       "Share of the yaw momentum of legs and trunk that the arms cancel by swinging, 0 to 1. Joints that a motion "
       "names do not swing.");
     v(g.kp, "kp", "momentum_kp", "1/s^2", must_be::kNotNegative, {20.0, of::kStiffness},
       "Stiffness of the spring that brings swinging arms back to their posture: acceleration per angle.");
     v(g.kd, "kd", "momentum_kd", "1/s", must_be::kNotNegative, {20.0, of::kDamping},
       "Rate at which swinging arms bring the robot's yaw momentum to zero.");
+    v(g.reserve, "reserve", "arms_reserve", "", must_be::kShare, {},
+      "Share of the yaw momentum that the arms cancel, where this is more than momentum, while the yaw friction of a "
+      "sole holds the torque back, so that the foot does not spin. With 0 they never help.");
+    v(g.reserve_time, "reserve_time", "arms_reserve_time", "s", must_be::kPositive, {2.0, of::kTimeConstant},
+      "Time in which the arms return to their posture once the soles hold the yaw moment again. They come to help in a "
+      "twentieth of it.");
   }
 };
 
@@ -472,7 +473,7 @@ struct LimitsSettings {
       "What a torque must keep to: the joints' torques and ranges, and what the soles can hold.";
 
   bool keep = true;
-  double friction = kNaN, twist = 1.25, range_margin = 0.0, range_rate = kNaN;
+  double friction = kNaN, twist = 1.0, range_margin = 0.0, range_rate = kNaN;
 
   template <class Self, class Visitor>
   static void rows(Self& g, Visitor&& v) {
@@ -485,7 +486,7 @@ struct LimitsSettings {
       "Friction of the soles: tangential force per normal force that they can hold.");
     v(g.twist, "twist", "twist_share", "", must_be::kPositive, {},
       "Moment about the vertical that a sole may give, as a share of what its friction holds while it turns about its "
-      "centre. A little more than 1 leaves short peaks to the sole, which turns by a trace, and not to the walk.");
+      "centre. With more than 1 the foot turns a little where it must.");
     v(g.range_margin, "range_margin", "range_margin", "rad", must_be::kNotNegative, {},
       "How far from the ends of its range a joint comes to rest.");
     v(g.range_rate, "range_rate", "range_rate", "1/s", must_be::kPositive, {120.0, of::kDamping},
