@@ -161,9 +161,10 @@ bool LimitKeeper::solve(const Stance& stance, WholeBodyResult& out) {
     if (!stance.standing[side]) continue;
     const Mat3& R = whole_body_->feet()[side].R_WF;
     SoleRows of_f_c;  // the robot's wrench on the ground, world axes
-    of_f_c.leftCols<3>().noalias() = -sole_rows_[side].leftCols<3>() * R.transpose();
-    of_f_c.rightCols<3>().noalias() = -sole_rows_[side].rightCols<3>() * R.transpose();
-    const Eigen::Matrix<double, kSoleRows, TaskSlack::kColumns> answers = of_f_c * slack_.f_c.middleRows<6>(6 * side);
+    of_f_c.leftCols<3>() = -sole_rows_[side].leftCols<3>().lazyProduct(R.transpose());
+    of_f_c.rightCols<3>() = -sole_rows_[side].rightCols<3>().lazyProduct(R.transpose());
+    const Eigen::Matrix<double, kSoleRows, TaskSlack::kColumns> answers =
+        of_f_c.lazyProduct(slack_.f_c.middleRows<6>(6 * side));
     for (int i = 0; i < kSoleRows; ++i) add(Kind::kSole, kSoleRows * side + i, sole_room_[side][i], answers.row(i));
   }
   if (!least_.solve()) return false;

@@ -343,14 +343,14 @@ bool WholeBodyController::answers_by_leg(const Answers& rhs, Answers& x) const {
       if (!(kernel_->solve_leg(system.data()) >= options_.singular_pivot)) return false;
       inverse[side].middleCols<4>(first) = system.rightCols<4>();
     }
-    x.middleRows<6>(3 + 6 * side).noalias() = inverse[side] * rhs.middleRows<6>(6 * side);
-    r.noalias() -= J_com * x.middleRows<6>(3 + 6 * side);
-    S.noalias() -= J_com * inverse[side].leftCols<3>();
+    x.middleRows<6>(3 + 6 * side) = inverse[side].lazyProduct(rhs.middleRows<6>(6 * side));
+    r -= J_com.lazyProduct(x.middleRows<6>(3 + 6 * side));
+    S -= J_com.lazyProduct(inverse[side].leftCols<3>());
   }
   if (!(std::abs(S.determinant()) >= options_.singular_pivot)) return false;
-  x.topRows<3>().noalias() = S.inverse() * r;
+  x.topRows<3>() = S.inverse().lazyProduct(r);
   for (const Side side : kSides)
-    x.middleRows<6>(3 + 6 * side).noalias() -= inverse[side].leftCols<3>() * x.topRows<3>();
+    x.middleRows<6>(3 + 6 * side) -= inverse[side].leftCols<3>().lazyProduct(x.topRows<3>());
   return true;
 }
 
@@ -373,8 +373,8 @@ void WholeBodyController::slack(const TaskGive& give, const WholeBodyResult& now
   rhs(12, 0) = rhs(13, 1) = give.com;
   rhs(14, 2) = give.height;
   const Mat3 turn = give.trunk * dyn.R_WB.transpose();  // columns of the base's rotation, in its axes
-  for (const Side side : kSides) rhs.block<6, 3>(6 * side, 3).noalias() = -(dyn.sole[side].J.middleCols<3>(3) * turn);
-  rhs.block<3, 3>(12, 3).noalias() = -(dyn.J_com.middleCols<3>(3) * turn);
+  for (const Side side : kSides) rhs.block<6, 3>(6 * side, 3) = -dyn.sole[side].J.middleCols<3>(3).lazyProduct(turn);
+  rhs.block<3, 3>(12, 3) = -dyn.J_com.middleCols<3>(3).lazyProduct(turn);
   if (!both)
     for (int k = 0; k < 6; ++k) rhs(6 * stance_.swing() + k, 6 + k) = k < 3 ? give.swing : give.swing_angular;
   if (damped_ || !answers_by_leg(rhs, x)) answers_together(rhs, x);
@@ -391,7 +391,7 @@ void WholeBodyController::slack(const TaskGive& give, const WholeBodyResult& now
     }
     kernel_->multiply(nv_, dyn.A.data(), dyn.A_sparsity.spans(), ddq.data(), w.data());
     F.middleCols<4>(4 * g) = -w.topRows<3>();
-    M.middleCols<4>(4 * g).noalias() = -(dyn.R_WB * w.middleRows<3>(3));
+    M.middleCols<4>(4 * g) = -dyn.R_WB.lazyProduct(w.middleRows<3>(3));
   }
   out.leg_ddq = x.bottomRows<12>();
   for (int k = 0; k < TaskSlack::kColumns; ++k) M.col(k) += base.cross(F.col(k));
@@ -415,7 +415,7 @@ void WholeBodyController::slack(const TaskGive& give, const WholeBodyResult& now
       const int dof = 6 + legs_[side][i];
       auto tau = out.leg_tau.row(6 * side + i);
       tau << out.w[0].row(dof), out.w[1].row(dof), out.w[2].row(dof);
-      if (stance_.standing[side]) tau.noalias() += dyn.sole[side].J.col(dof).transpose() * f;
+      if (stance_.standing[side]) tau += dyn.sole[side].J.col(dof).transpose().lazyProduct(f);
     }
   }
 }
@@ -431,7 +431,7 @@ void WholeBodyController::apply(const TaskSlack& slack, const Eigen::Matrix<doub
   }
   for (const Side side : kSides) {
     if (!stance_.standing[side]) continue;
-    const Vec6 f = slack.f_c.middleRows<6>(6 * side) * y;
+    const Vec6 f = slack.f_c.middleRows<6>(6 * side).lazyProduct(y);
     out.f_c.segment<6>(6 * side) += f;
     out.tau += dyn.sole[side].J.rightCols(joints).transpose().lazyProduct(f);
   }
