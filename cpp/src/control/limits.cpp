@@ -10,9 +10,8 @@ namespace {
 
 constexpr double kRounding = 1e-9;    // of a limit: what the closed form may seem to break it by
 constexpr double kRangeSize = 100.0;  // acceleration in which the room of a joint's range is measured [rad/s^2]
-constexpr double kElastic =
-    1e-4;  // of a limit: soles and ranges give by this for what counts as much as any other change
-constexpr double kLoadShare = 0.3;   // of the weight, that one foot takes over from the other: its size
+constexpr double kElastic = 2e-5;   // of a limit: what a sole or range gives counts as much as a whole change of a task
+constexpr double kLoadShare = 0.3;  // of the weight, that one foot takes over from the other: its size
 constexpr double kLoadLever = 0.15;  // of the COM's height: of the moment that goes with it
 constexpr double kHeight = 0.747;    // for which the sizes of `TaskGive` are meant [m]
 
