@@ -148,6 +148,10 @@ void bind_walking_controller(py::module_& m) {
             return activations;
           },
           "how far each added task acts now, from 0 to its weight, in the order of their priority")
+      .def_property_readonly(
+          "active_limits", [](const WalkingController& c) { return c.output().limits.names(c.robot().joint_names()); },
+          "the limits that held the last torque back, in words: [\"torque of l_knee\", \"yaw friction of the left "
+          "sole\"]; empty where none did")
       .def_property_readonly("description", [](const WalkingController& c) { return c.robot().description(); })
       .def_property_readonly("joint_names", [](const WalkingController& c) { return c.robot().joint_names(); })
       .def_property_readonly(

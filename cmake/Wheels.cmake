@@ -1,4 +1,5 @@
-# Targets for what comes from wheels: mujoco::mujoco, Eigen3::Eigen and, when that wheel is there, boost_headers.
+# Targets for what comes from wheels: mujoco::mujoco, Eigen3::Eigen, eiquadprog_headers and, when that wheel is there,
+# boost_headers.
 # The Python interpreter is asked, at every configure, so that headers and library are those of the mujoco package
 # that this very Python imports.
 
@@ -23,6 +24,9 @@ endif()
 if(NOT EIGEN_INCLUDE_DIR)
   message(FATAL_ERROR "no Eigen headers for ${Python_EXECUTABLE}: pip install cmeel-eigen")
 endif()
+if(NOT EIQUADPROG_INCLUDE_DIR)
+  message(FATAL_ERROR "no eiquadprog headers for ${Python_EXECUTABLE}: pip install eiquadprog")
+endif()
 message(STATUS "MuJoCo ${MUJOCO_VERSION}: ${MUJOCO_DIR}")
 message(STATUS "Eigen: ${EIGEN_INCLUDE_DIR}")
 
@@ -34,6 +38,10 @@ target_link_libraries(mujoco::mujoco INTERFACE mujoco::headers)
 
 add_library(Eigen3::Eigen INTERFACE IMPORTED)
 set_target_properties(Eigen3::Eigen PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${EIGEN_INCLUDE_DIR}")
+
+# Headers alone: templates of fixed size, which need no library when they run.
+add_library(eiquadprog_headers INTERFACE IMPORTED)
+set_target_properties(eiquadprog_headers PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${EIQUADPROG_INCLUDE_DIR}")
 
 if(BOOST_INCLUDE_DIR)
   add_library(boost_headers INTERFACE IMPORTED)

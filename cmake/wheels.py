@@ -40,4 +40,5 @@ if __name__ == "__main__":
     print(f"MUJOCO_LIBRARY={library}")
     print(f"MUJOCO_VERSION={version}")
     print(f"EIGEN_INCLUDE_DIR={cmeel_include('eigen3', 'Eigen/Core')}")
+    print(f"EIQUADPROG_INCLUDE_DIR={cmeel_include('', 'eiquadprog/eiquadprog-rt.hpp')}")
     print(f"BOOST_INCLUDE_DIR={cmeel_include('', 'boost/test/unit_test.hpp')}")

@@ -78,7 +78,7 @@ long allocated(Body&& body) {
 /// What a walk went through, and how often its cycles and its recording allocated.
 struct Seen {
   long cycles = 0, recording = 0, locks = 0;
-  bool single = false, both = false, left = false, right = false, modified = false, saturated = false;
+  bool single = false, both = false, left = false, right = false, modified = false, saturated = false, held = false;
   int steps = 0;
   std::size_t rows = 0;
 };
@@ -108,6 +108,7 @@ Seen walk(double duration, const WalkSettings& s, const mjModel* m = mahru(), Te
     (out->support > 0 ? seen.left : seen.right) = true;
     seen.modified |= out->iterations > 0;
     seen.saturated |= out->saturated;
+    seen.held |= out->limits.any();
     seen.steps = out->step;
   }
   return seen;
@@ -165,9 +166,24 @@ BOOST_AUTO_TEST_CASE(cycle_that_cuts_a_torque_allocates_nothing) {
   // Knees that cannot quite hold the body: the estimate is then that of the cut torque.
   const ModelPtr weak =
       load_text(replaced(mahru_text(), "<motor ctrlrange=\"-160 160\"/>", "<motor ctrlrange=\"-40 40\"/>"));
-  const Seen seen = walk(0.4, WalkSettings(), weak.get());
+  WalkSettings s;
+  s.limits.keep = false;
+  const Seen seen = walk(0.4, s, weak.get());
   stays_off_the_heap(seen);
   BOOST_CHECK(seen.saturated && seen.single && seen.both);
+}
+
+BOOST_AUTO_TEST_CASE(cycle_that_keeps_limits_allocates_nothing) {
+  WalkSettings s;
+  s.control.torque_limits = {{"l_knee", 60.0}, {"r_knee", 60.0}};
+  const Seen few = walk(2.0, s);
+  stays_off_the_heap(few);
+  BOOST_CHECK(few.held && !few.saturated && few.single && few.both);
+  // Weak hips too: the soles' limits give.
+  for (const char* joint : {"l_hip_roll", "r_hip_roll"}) s.control.torque_limits[joint] = 10.0;
+  const Seen many = walk(0.6, s);
+  stays_off_the_heap(many);
+  BOOST_CHECK(many.held);
 }
 
 BOOST_AUTO_TEST_CASE(cycle_with_tasks_that_come_and_go_and_a_known_force_allocates_nothing) {

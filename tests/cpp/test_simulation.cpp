@@ -158,7 +158,9 @@ BOOST_AUTO_TEST_CASE(every_end_of_a_walk_has_its_time_and_cause_and_keeps_the_re
 BOOST_AUTO_TEST_CASE(estimate_is_that_of_the_torque_that_is_sent_when_a_motor_saturates) {
   const ModelPtr weak =
       load_text(replaced(mahru_text(), "<motor ctrlrange=\"-160 160\"/>", "<motor ctrlrange=\"-2 2\"/>"));
-  WalkingController controller(weak.get(), describe(weak.get()));
+  WalkSettings cut;
+  cut.limits.keep = false;
+  WalkingController controller(weak.get(), describe(weak.get()), cut);
   Instant at(Standing::kBoth, 0);
   at.robot.description().place(mahru(), at.data.get());
   controller.reset(at.data.get());

@@ -321,7 +321,7 @@ def test_silenced_servo_saturates_at_its_force_range(build):
     model = build(actuators(lambda j, t: f'<position joint="{j}" kp="300" forcerange="-3 3"/>', "knee"))
     trace = zmpwalk.simulate((model, zmpwalk._core.describe(model)), duration=0.3)
     knee = list(trace.meta["joint_names"]).index("l_knee")
-    assert trace.saturated[:50].all()
+    assert ((trace.saturated > 0) | (trace.limit_torques > 0))[:50].all()
     assert np.abs(trace.tau[:, knee]).max() == 3.0
     assert trace.torque_ratio[0] > 1.0
 

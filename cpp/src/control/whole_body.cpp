@@ -37,6 +37,12 @@ std::array<int, TaskSolver::kUnknowns> unknowns_of(const std::array<std::vector<
 
 }  // namespace
 
+TaskSlack::TaskSlack(int nv)
+    : f_c(Eigen::Matrix<double, 12, kColumns>::Zero()), leg_ddq(Legs::Zero()), leg_tau(Legs::Zero()) {
+  ddq.fill(TaskSolver::Affine::Zero(nv, 4));
+  w.fill(TaskSolver::Affine::Zero(nv, 4));
+}
+
 WholeBodyController::WholeBodyController(int nv, const std::array<std::vector<int>, 2>& legs,
                                          const WholeBodyOptions& options)
     : nv_(nv),
@@ -312,6 +318,123 @@ void WholeBodyController::solve(const Vec2& f_xy, WholeBodyResult& out) const {
     f[side] = stance_.standing[side] ? Vec6(out.f_c.segment<6>(6 * side)) : Vec6(Vec6::Zero());
   kernel_->joint_torque(nv_ - 6, w_.row(6).data(), at_4.data(), dyn.sole[kLeft].J.col(6).data(), f[kLeft].data(),
                         dyn.sole[kRight].J.col(6).data(), f[kRight].data(), out.tau.data());
+}
+
+Vec2 WholeBodyController::zmp_of(const Vec12& f_c) const {
+  const Vec3& s = feet_[stance_.support].p_WF;
+  const Wrench total = total_wrench(f_c, {feet_[kLeft].p_WF, feet_[kRight].p_WF}, s);
+  return zmp_on_plane(total.F, total.M, s, plane_).head<2>();
+}
+
+bool WholeBodyController::answers_by_leg(const Answers& rhs, Answers& x) const {
+  // As in `solve_by_leg`, for many right sides: with the inverse of each J_leg.
+  const Dynamics& dyn = *dynamics_;
+  std::array<Eigen::Matrix<double, 6, 6>, 2> inverse;
+  Mat3 S = Mat3::Identity();
+  Eigen::Matrix<double, 3, TaskSlack::kColumns> r = rhs.bottomRows<3>();
+  for (const Side side : kSides) {
+    Eigen::Matrix<double, 3, 6> J_com;
+    Eigen::Matrix<double, 6, 12, Eigen::RowMajor> system = Eigen::Matrix<double, 6, 12, Eigen::RowMajor>::Zero();
+    for (int i = 0; i < 6; ++i) J_com.col(i) = dyn.J_com.col(6 + legs_[side][i]);
+    for (const int first : {0, 2}) {
+      for (int i = 0; i < 6; ++i) system.col(i) = dyn.sole[side].J.col(6 + legs_[side][i]);
+      system.rightCols<4>().setZero();
+      system.block<4, 4>(first, 8).setIdentity();
+      if (!(kernel_->solve_leg(system.data()) >= options_.singular_pivot)) return false;
+      inverse[side].middleCols<4>(first) = system.rightCols<4>();
+    }
+    x.middleRows<6>(3 + 6 * side) = inverse[side].lazyProduct(rhs.middleRows<6>(6 * side));
+    r -= J_com.lazyProduct(x.middleRows<6>(3 + 6 * side));
+    S -= J_com.lazyProduct(inverse[side].leftCols<3>());
+  }
+  if (!(std::abs(S.determinant()) >= options_.singular_pivot)) return false;
+  x.topRows<3>() = S.inverse().lazyProduct(r);
+  for (const Side side : kSides)
+    x.middleRows<6>(3 + 6 * side) -= inverse[side].leftCols<3>().lazyProduct(x.topRows<3>());
+  return true;
+}
+
+void WholeBodyController::answers_together(const Answers& rhs, Answers& x) const {
+  const TaskSolver::Rows K = rows_together();
+  if (damped_) {
+    TaskSolver::Rows gram = K * K.transpose();
+    gram.diagonal().array() += options_.damping * options_.damping;
+    x = K.transpose() * Eigen::LLT<TaskSolver::Rows>(gram).solve(rhs);
+  } else {
+    x = Eigen::PartialPivLU<TaskSolver::Rows>(K).solve(rhs);
+  }
+}
+
+void WholeBodyController::slack(const TaskGive& give, const WholeBodyResult& now, TaskSlack& out) const {
+  const Dynamics& dyn = *dynamics_;
+  const bool both = stance_.both();
+  // Rows of both soles and of the COM: what is asked of them, less what the trunk's turn does to them.
+  Answers rhs = Answers::Zero(), x;
+  rhs(12, 0) = rhs(13, 1) = give.com;
+  rhs(14, 2) = give.height;
+  const Mat3 turn = give.trunk * dyn.R_WB.transpose();  // columns of the base's rotation, in its axes
+  for (const Side side : kSides) rhs.block<6, 3>(6 * side, 3) = -dyn.sole[side].J.middleCols<3>(3).lazyProduct(turn);
+  rhs.block<3, 3>(12, 3) = -dyn.J_com.middleCols<3>(3).lazyProduct(turn);
+  if (!both)
+    for (int k = 0; k < 6; ++k) rhs(6 * stance_.swing() + k, 6 + k) = k < 3 ? give.swing : give.swing_angular;
+  if (damped_ || !answers_by_leg(rhs, x)) answers_together(rhs, x);
+
+  const Vec3& s = dyn.sole[stance_.support].p_WF;
+  const Vec3 base = dyn.p_WB - s;
+  Eigen::Matrix<double, 3, TaskSlack::kColumns> F, M;  // of both feet, the moment about s
+  for (int g = 0; g < TaskSlack::kGroups; ++g) {
+    TaskSolver::Affine &ddq = out.ddq[g], &w = out.w[g];
+    for (int i = 0; i < kUnknowns; ++i) ddq.row(unknown_[i]) = x.block<1, 4>(i, 4 * g);
+    for (int c = 0; c < 4; ++c) {
+      const int k = 4 * g + c;
+      ddq.col(c).segment<3>(3) = k >= 3 && k < 6 ? Vec3(turn.col(k - 3)) : Vec3(Vec3::Zero());
+    }
+    kernel_->multiply(nv_, dyn.A.data(), dyn.A_sparsity.spans(), ddq.data(), w.data());
+    F.middleCols<4>(4 * g) = -w.topRows<3>();
+    M.middleCols<4>(4 * g) = -dyn.R_WB.lazyProduct(w.middleRows<3>(3));
+  }
+  out.leg_ddq = x.bottomRows<12>();
+  for (int k = 0; k < TaskSlack::kColumns; ++k) M.col(k) += base.cross(F.col(k));
+
+  // Wrenches from the base's rows, torques from the joints' rows.
+  const double left = both ? now.f_c[2] / (now.f_c[2] + now.f_c[8]) : 1.0;
+  const Vec3 middle = 0.5 * (dyn.sole[kLeft].p_WF + dyn.sole[kRight].p_WF);
+  for (const Side side : kSides) {
+    auto f = out.f_c.middleRows<6>(6 * side);
+    f.setZero();
+    const Vec3 &p = dyn.sole[side].p_WF, arm = s - p;
+    const double share = side == kLeft || !both ? left : 1.0 - left;
+    for (int k = 0; stance_.standing[side] && k < TaskSlack::kColumns; ++k) {
+      f.col(k) << share * F.col(k), share * (M.col(k) + arm.cross(F.col(k)));
+      if (!both || k < 6) continue;
+      Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
+      (k < 9 ? force : moment)[k % 3] = side_sign(side) * (k < 9 ? give.load_force : give.load_moment);
+      f.col(k) << force, moment + (middle - p).cross(force);
+    }
+    for (int i = 0; i < 6; ++i) {
+      const int dof = 6 + legs_[side][i];
+      auto tau = out.leg_tau.row(6 * side + i);
+      tau << out.w[0].row(dof), out.w[1].row(dof), out.w[2].row(dof);
+      if (stance_.standing[side]) tau += dyn.sole[side].J.col(dof).transpose().lazyProduct(f);
+    }
+  }
+}
+
+void WholeBodyController::apply(const TaskSlack& slack, const Eigen::Matrix<double, TaskSlack::kColumns, 1>& y,
+                                WholeBodyResult& out) const {
+  const Dynamics& dyn = *dynamics_;
+  const int joints = nv_ - 6;
+  for (int g = 0; g < TaskSlack::kGroups; ++g) {
+    const Eigen::Vector4d y_g = y.segment<4>(4 * g);
+    out.ddq += slack.ddq[g].lazyProduct(y_g);
+    out.tau += slack.w[g].bottomRows(joints).lazyProduct(y_g);
+  }
+  for (const Side side : kSides) {
+    if (!stance_.standing[side]) continue;
+    const Vec6 f = slack.f_c.middleRows<6>(6 * side).lazyProduct(y);
+    out.f_c.segment<6>(6 * side) += f;
+    out.tau += dyn.sole[side].J.rightCols(joints).transpose().lazyProduct(f);
+  }
 }
 
 }  // namespace zmpwalk

@@ -63,6 +63,7 @@ WalkSettings::WalkSettings(const std::string& preset) : law(preset) {
   gait.cadence_exponent = gait.cadence_double = 0.0;
   gait.stand = false;
   contact.load_alone = 0.0;
+  limits.keep = false;
   rate.limit = false;
 }
 
@@ -103,6 +104,8 @@ double first_double_support(double, const Scale& scale) {
 double cadence_exponent(double, const Scale& scale) { return scale.settings.steps.lengths.empty() ? 0.4 : 0.0; }
 
 double feet_apart(double, const Scale& scale) { return scale.robot.foot_distance; }
+
+double friction(double, const Scale& scale) { return scale.robot.friction; }
 
 double step_height(double, const Scale& scale) {
   // Rotor and damping of the knee may take this share of its torque; the step height is lowered for that, but not below the least height.

@@ -14,6 +14,7 @@ RobotScale scale_of(const Robot& robot) {
   const RobotLeg leg = robot.leg_at_stand(kLeft);
   RobotScale scale{height_over_soles(dyn), dyn.gravity.norm(), robot.timestep(),
                    (dyn.sole[kLeft].p_WF - dyn.sole[kRight].p_WF).head<2>().norm()};
+  scale.friction = std::min(robot.sole_friction(kLeft), robot.sole_friction(kRight));
   // Law of cosines over hip, knee and ankle: d(length)/d(angle) = thigh shank sin(angle) / length.
   const double length = leg.hip_to_ankle.norm();
   const double cosine =
@@ -29,6 +30,24 @@ RobotScale scale_of(const Robot& robot) {
 SoleSize common_sole(const RobotDescription& description) {
   const auto& [left, right] = description.feet;
   return {std::max(left.length, right.length), std::min(left.width, right.width)};
+}
+
+RobotLimits limits_of(const Robot& robot, const WalkSettings& settings) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  RobotLimits limits;
+  limits.torque = robot.torque_limit();
+  for (int j = 0; j < robot.joints(); ++j) limits.range.push_back(robot.joint_range(j));
+  for (const Side side : kSides) {
+    const Foot& foot = robot.description().feet[side];
+    // The ground turns a standing foot, and the foot that lands is to lie flat: an ankle's stop is left to the ankle.
+    for (const int i : {4, 5}) limits.range[robot.leg_joints()[side][i]] = {-kInfinity, kInfinity};
+    limits.sole[side] = {foot.length, foot.width, settings.limits.friction, settings.limits.twist};
+  }
+  limits.weight = robot.dynamics().mass * robot.dynamics().gravity.norm();
+  limits.height = height_over_soles(robot.dynamics());
+  limits.range_margin = settings.limits.range_margin;
+  limits.range_rate = settings.limits.range_rate;
+  return limits;
 }
 
 ZmpBounds bounds_of(const Robot& robot, Side side, const WalkSettings& settings, double sole_fraction) {

@@ -50,6 +50,7 @@ WalkingController::WalkingController(const Model& model, const RobotDescription&
                    settings_.contact.load_alone * 0.5 * sole_.width, settings_.contact.damping,
                    settings_.control.singular_damping, settings_.control.singular_pivot, settings_.control.kernel,
                    settings_.control.singular_task}),
+      limits_(limits_of(robot_, settings_), whole_body_),
       estimator_(robot_.nv()),
       fall_(settings_),
       clock_(settings_.control.dt),
@@ -201,6 +202,7 @@ void WalkingController::start() {
   trunk_task_.softness = 0.0;
   start_ = gait_input(0.0, com_des_, dcom_des_);
   gait_.reset(start_, height_.pendulum());
+  arms_.reset();
   tracker_.reset();
   mailbox_.clear();
   VecX tau = std::move(out_.tau);
@@ -294,6 +296,7 @@ void WalkingController::cycle(const State& state) {
   stance_.standing = gait.standing;
   stance_.support = gait.support;
   stance_.lateral << left_of(gait.ahead), 0.0;
+  arms_.help(out_.limits.holds_yaw());
   if (arms_.on()) arms_.command(dyn, stance_, f_xy_, gait.v_plan.z(), body_.reference(), added_, whole_body_, f_star_);
   whole_body_.prepare(dyn, stance_, f_star_, &added_);
 
@@ -385,12 +388,25 @@ void WalkingController::decide_reference(const Cycle& cycle) {
 
 void WalkingController::limit_torque(const GaitOutput& gait) {
   const VecX& limit = robot_.torque_limit();
-  out_.f_c = result_.f_c;
-  out_.damped = result_.damped;
   out_.torque_ratio = (result_.tau.cwiseAbs().array() / limit.array()).maxCoeff();
-  out_.saturated = !(out_.torque_ratio <= 1.0);
+  out_.damped = result_.damped;
+  out_.saturated = false;
+  out_.limits = {};
+  const bool keeps = settings_.limits.keep && whole_body_.is_direct();
+  if (keeps && limits_.keep(robot_.dynamics(), stance_, result_)) out_.limits = limits_.active();
+  if ((result_.tau.array().abs() > limit.array()).any() || !result_.tau.allFinite()) {
+    cut_torque(gait);
+    return;
+  }
+  out_.tau = result_.tau;
+  out_.f_c = result_.f_c;
+  if (out_.limits.any()) out_.zmp_est = whole_body_.zmp_of(result_.f_c);
+}
+
+void WalkingController::cut_torque(const GaitOutput& gait) {
+  const VecX& limit = robot_.torque_limit();
   out_.tau = result_.tau.cwiseMax(-limit).cwiseMin(limit);
-  if (!out_.saturated) return;
+  out_.saturated = true;
   // The estimate is that of the torque that is sent, hence (9) of the cut torque.
   const Dynamics& dyn = robot_.dynamics();
   int rows = 0;

@@ -57,6 +57,35 @@ struct WholeBodyResult {
   bool damped = false;        ///< a leg was near singular and the motion was damped
 };
 
+/// How easily each task gives way where limits force it to: the change that counts as much as one of any other.
+///
+/// Changes are counted in these sizes and their squares are added up: what has the largest size gives first. The feet's share of the
+/// load is no task and gives first of all; then the swing foot, the trunk, the height of the COM, and last what keeps the balance, the
+/// COM's horizontal acceleration.
+struct TaskGive {
+  double com = 0.3, height = 3.0;              ///< [m/s^2]
+  double trunk = 30.0;                         ///< [rad/s^2]
+  double swing = 20.0, swing_angular = 200.0;  ///< [m/s^2], [rad/s^2]
+  double load_force = 1.0, load_moment = 1.0;  ///< that one foot takes over from the other [N], [N m]
+};
+
+/// How motion, wrenches and torque answer a change of what the tasks ask for; each column in the size of `TaskGive`.
+///
+/// Columns 0-2: COM x, y, z; 3-5: trunk; 6-11: swing sole, linear then angular, or in double support the force and moment that the left
+/// foot takes over from the right, about the middle between the sole centres. All along the world's axes. The rows of the legs are those
+/// of the six joints of the left leg, then of the right one.
+struct TaskSlack {
+  static constexpr int kColumns = 12, kGroups = kColumns / 4;
+  using Legs = Eigen::Matrix<double, 12, kColumns, Eigen::RowMajor>;
+
+  explicit TaskSlack(int nv);
+
+  std::array<TaskSolver::Affine, kGroups> ddq;  ///< (nv,)[4], four columns in each, as `Kernel` wants them
+  std::array<TaskSolver::Affine, kGroups> w;    ///< A ddq (nv,)[4]
+  Eigen::Matrix<double, 12, kColumns> f_c;      ///< left then right, zero where a foot is in the air
+  Legs leg_ddq, leg_tau;
+};
+
 /// Computes the joint torques of a biped that give COM, trunk, swing foot and posture their commanded accelerations while the standing feet keep still.
 ///
 /// With posture stacked the motion is fully determined (single support 6 + 25 rows, double support 12 + 19, for 31
@@ -112,6 +141,19 @@ class WholeBodyController {
   /// Eq. 1-7: torque for COM acceleration `f_xy`. Writes into `out`, whose vectors are sized by `result()`.
   void solve(const Vec2& f_xy, WholeBodyResult& out) const;
 
+  /// What changes with the tasks' accelerations at this instant; on the direct path alone. Allocates nothing.
+  ///
+  /// A change of the total wrench is shared by two feet as they share the load in `now`. User's tasks are not kept by these changes.
+  void slack(const TaskGive& give, const WholeBodyResult& now, TaskSlack& out) const;
+  /// Changes `out` by the columns of `slack` times y (TaskSlack::kColumns,).
+  void apply(const TaskSlack& slack, const Eigen::Matrix<double, TaskSlack::kColumns, 1>& y,
+             WholeBodyResult& out) const;
+  /// World x and y of the ZMP of the feet's wrenches on `zmp_plane` (2,) [m]: eq. 14, 15.
+  Vec2 zmp_of(const Vec12& f_c) const;
+  /// True where torque, motion and wrenches are known to be affine in the tasks: on the direct path.
+  bool is_direct() const { return !uses_textbook(); }
+  const std::array<std::vector<int>, 2>& legs() const { return legs_; }
+
   WholeBodyResult result() const;
   const WholeBodyOptions& options() const { return options_; }
 
@@ -129,6 +171,9 @@ class WholeBodyController {
   void prepare_direct(const TaskAccelerations& f_star, const TaskStack* tasks);
   bool solve_by_leg(const MotionRows& rows);
   void solve_together(const MotionRows& rows);
+  using Answers = Eigen::Matrix<double, kUnknowns, TaskSlack::kColumns>;
+  bool answers_by_leg(const Answers& rhs, Answers& x) const;
+  void answers_together(const Answers& rhs, Answers& x) const;
   TaskSolver::Rows rows_together() const;
   void prepare_textbook(const TaskAccelerations& f_star);
   void expand_zmp();

@@ -97,6 +97,9 @@ class Robot {
   const VecX& stand() const { return stand_; }
   /// Position of the ankle's axes in the sole frame, where the torque limits of the ankle act [m].
   Vec3 ankle_in_sole(Side side) const { return ankle_F_[side]; }
+  /// Friction between a sole and the ground in the model: the least of the foot's geoms against the world's, as MuJoCo pairs them; that of
+  /// the foot alone where the model has no ground.
+  double sole_friction(Side side) const;
   /// Geometry of a leg at the start pose.
   RobotLeg leg_at_stand(Side side) const { return leg_[side]; }
   /// Sole centre in W, from the body poses that `d` holds (after mj_step: those of the state before it) [m].

@@ -15,6 +15,7 @@ struct RobotScale {
   double gravity = 0.0;        ///< g [m/s^2]
   double timestep = 0.0;       ///< of the model [s]
   double foot_distance = 0.0;  ///< lateral, at the start pose [m]
+  double friction = 1.0;       ///< of the soles on the ground, in the model
   // What swinging the foot costs the knee; with these values it costs nothing.
   double hip_to_ankle = std::numeric_limits<double>::infinity();  ///< at the start pose, seen from the side [m]
   double knee_per_lift = 0.0;  ///< knee angle per shortening of that distance, at the start pose [rad/m]

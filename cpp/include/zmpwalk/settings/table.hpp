@@ -21,6 +21,7 @@ double first_double_support(double, const Scale& scale);
 double cadence_exponent(double, const Scale& scale);
 double feet_apart(double, const Scale& scale);
 double step_height(double, const Scale& scale);
+double friction(double, const Scale& scale);
 }  // namespace defaults
 
 struct GaitSettings {
@@ -389,7 +390,7 @@ struct ArmsSettings {
   static constexpr const char* kGroup = "arms";
   static constexpr const char* kMeaning = "How the arms swing so that the robot does not turn about the vertical.";
 
-  double momentum = 0.0, kp = kNaN, kd = kNaN;
+  double momentum = 0.0, kp = kNaN, kd = kNaN, reserve = 1.0, reserve_time = kNaN;
 
   template <class Self, class Visitor>
   static void rows(Self& g, Visitor&& v) {
@@ -400,6 +401,12 @@ struct ArmsSettings {
       "Stiffness of the spring that brings swinging arms back to their posture: acceleration per angle.");
     v(g.kd, "kd", "momentum_kd", "1/s", must_be::kNotNegative, {20.0, of::kDamping},
       "Rate at which swinging arms bring the robot's yaw momentum to zero.");
+    v(g.reserve, "reserve", "arms_reserve", "", must_be::kShare, {},
+      "Share of the yaw momentum that the arms cancel, where this is more than momentum, while the yaw friction of a "
+      "sole holds the torque back, so that the foot does not spin. With 0 they never help.");
+    v(g.reserve_time, "reserve_time", "arms_reserve_time", "s", must_be::kPositive, {2.0, of::kTimeConstant},
+      "Time in which the arms return to their posture once the soles hold the yaw moment again. They come to help in a "
+      "twentieth of it.");
   }
 };
 
@@ -459,6 +466,34 @@ struct ControlSettings {
     v(g.torque_limits, "torque_limits", "torque_limits", "N m", must_be::kPositive, {},
       "Torque limits by joint name, in place of the robot's own. A motor still gives no more than the model lets "
       "through.");
+  }
+};
+
+struct LimitsSettings {
+  static constexpr const char* kGroup = "limits";
+  static constexpr const char* kMeaning =
+      "What a torque must keep to: the joints' torques and ranges, and what the soles can hold.";
+
+  bool keep = true;
+  double friction = kNaN, twist = 1.0, range_margin = 0.0, range_rate = kNaN;
+
+  template <class Self, class Visitor>
+  static void rows(Self& g, Visitor&& v) {
+    v(g.keep, "keep", "keep_limits", "", must_be::kAnything, {},
+      "Whether the nearest torque that keeps the limits is found where the closed form's torque would break one: the "
+      "tasks give way, first the swing foot, then the trunk, the COM's height, and last its horizontal acceleration. "
+      "With false torques are cut to their limits, and nothing else is kept.");
+    v(g.friction, "friction", "friction", "", must_be::kPositive,
+      {"that of the soles in the model", defaults::friction},
+      "Friction of the soles: tangential force per normal force that they can hold.");
+    v(g.twist, "twist", "twist_share", "", must_be::kPositive, {},
+      "Moment about the vertical that a sole may give, as a share of what its friction holds while it turns about its "
+      "centre. With more than 1 the foot turns a little where it must.");
+    v(g.range_margin, "range_margin", "range_margin", "rad", must_be::kNotNegative, {},
+      "How far from the ends of its range a joint comes to rest.");
+    v(g.range_rate, "range_rate", "range_rate", "1/s", must_be::kPositive, {120.0, of::kDamping},
+      "How fast a joint may still move towards the end of its range: it comes to rest there as a critically damped "
+      "joint of this damping does. A small rate brakes early.");
   }
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "zmpwalk/control/limits.hpp"
 #include "zmpwalk/gait/footsteps.hpp"
 #include "zmpwalk/robot/robot.hpp"
 #include "zmpwalk/settings/settings.hpp"
@@ -19,5 +20,8 @@ SoleSize common_sole(const RobotDescription& description);
 /// Where the ZMP may be in the sole of `side`: what the share `sole_fraction` of it and the ankle's torque allow, see `zmp_bounds`.
 /// @throws InputError where nothing is left
 ZmpBounds bounds_of(const Robot& robot, Side side, const WalkSettings& settings, double sole_fraction);
+
+/// What the torque of `robot` keeps to. @param settings resolved
+RobotLimits limits_of(const Robot& robot, const WalkSettings& settings);
 
 }  // namespace zmpwalk

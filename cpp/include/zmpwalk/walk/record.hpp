@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "zmpwalk/control/limits.hpp"
 #include "zmpwalk/math/types.hpp"
 
 namespace zmpwalk {
@@ -39,6 +40,7 @@ struct CycleOutput {
   Vec12 f_c = Vec12::Constant(kNaN);
   double torque_ratio = 0.0;
   bool saturated = false, damped = false;
+  ActiveLimits limits;
   Fall fell = Fall::kNone;
   bool fresh = false;  ///< This call computed the torque. It is no column: only fresh cycles are recorded.
 };
@@ -141,8 +143,20 @@ void visit_columns(Visitor&& v) {
     "Wrench of the robot on the ground that MuJoCo's contacts gave under each foot, at the centre of its sole; a foot"
     " without contact has NaN.");
   v("torque_ratio", &Out::torque_ratio, kOne, "", "",
-    "Largest ratio of a joint's torque to its limit, before torques are cut to their limits.");
-  v("saturated", &Out::saturated, kOne, "", "", "Whether a torque was cut to its limit.");
+    "Largest ratio of a joint's torque to its limit, before limits are kept or torques cut.");
+  v("saturated", &Out::saturated, kOne, "", "",
+    "Whether a torque was cut to its limit, because no motion keeps the limits or because keep_limits is off.");
+  v(
+      "limit_soles", [](const Out& out) { return out.limits.feet; }, kOne, "", "",
+      "Limits of the soles that held the torque back, as a sum: 1 load, 2 friction, 4 centre of pressure, 8 yaw "
+      "friction "
+      "of the left sole, and 16 times these of the right one.");
+  v(
+      "limit_torques", [](const Out& out) { return out.limits.torques; }, kOne, "", "",
+      "Joints whose torque limit held the torque back, as a sum: 2^j for joint j, from 0 on.");
+  v(
+      "limit_ranges", [](const Out& out) { return out.limits.ranges; }, kOne, "", "",
+      "Joints whose range held the torque back, as a sum: 2^j for joint j, from 0 on.");
   v("damped", &Out::damped, kOne, "", "", "Whether the motion was damped because a leg is nearly straight.");
   v("self_contacts", &After::self_contacts, kOne, "", "",
     "Number of contacts between two bodies of the robot while this torque acted.");

@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "zmpwalk/control/limits.hpp"
 #include "zmpwalk/control/task_stack.hpp"
 #include "zmpwalk/control/tasks/com.hpp"
 #include "zmpwalk/control/tasks/foot.hpp"
@@ -109,6 +110,7 @@ class WalkingController {
   const Vec2& com_acceleration() const { return f_xy_; }      ///< W [m/s^2]
   const WalkSettings& settings() const { return settings_; }
   const WholeBodyController& whole_body() const { return whole_body_; }
+  const LimitKeeper& limits() const { return limits_; }
   const VelocityProfile& profile() const { return profile_; }
   const Robot& robot() const { return robot_; }
   const LegReach& reach() const { return reach_; }       ///< says which velocities the legs can walk
@@ -142,6 +144,7 @@ class WalkingController {
   // That of the ground and of known forces on the robot, W [N].
   Vec2 horizontal_force(const Dynamics& dyn, const std::array<bool, 2>& standing) const;
   void limit_torque(const GaitOutput& gait);
+  void cut_torque(const GaitOutput& gait);
   void note(const Cycle& cycle);  // into the output
 
   Robot robot_;
@@ -157,6 +160,7 @@ class WalkingController {
   BodyMotion body_;
   ArmSwing arms_;
   WholeBodyController whole_body_;
+  LimitKeeper limits_;
   ZmpEstimator estimator_;
   TaskStack added_;  // by the user
   FallWatch fall_;
