@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 import math
 import os
@@ -21,7 +19,7 @@ import numpy as np
 from ._core import trunk_body
 from .capture import PendulumWalk, pendulum_limit
 from .errors import InputError, ModelError
-from .files import as_input_error, whole
+from .files import write_table
 from .given import Settings
 from .profiles import VelocityProfile, three
 from .robots import Robot, description_to_dict, load_robot
@@ -129,14 +127,7 @@ class PushMap:
 
         Usage: `push_map().to_csv("pushes.csv")`
         """
-        path, rows = Path(path), self.rows()
-        text = io.StringIO()
-        table = csv.DictWriter(text, list(rows[0]), lineterminator="\n")
-        table.writeheader()
-        table.writerows({key: _short(value) for key, value in row.items()} for row in rows)
-        with as_input_error(path), whole(path) as draft:
-            draft.write_text(text.getvalue(), encoding="utf-8")
-        return path
+        return write_table(path, [{key: _short(value) for key, value in row.items()} for row in self.rows()])
 
     def plot(self) -> Any:
         """A polar figure for each phase, with the pendulum's limit beside.

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import math
 import os
 from dataclasses import dataclass
@@ -15,7 +13,7 @@ import numpy as np
 
 from .disturbances import Push, Uncertainty
 from .errors import InputError
-from .files import as_input_error, whole
+from .files import write_table
 from .given import Settings, settings_of
 from .profiles import VelocityProfile
 from .pushes import push_map
@@ -96,13 +94,7 @@ class Robustness:
 
         Usage: `robustness().to_csv("robustness.csv")`
         """
-        path, rows, text = Path(path), self.rows(), io.StringIO()
-        table = csv.DictWriter(text, list(rows[0]), lineterminator="\n")
-        table.writeheader()
-        table.writerows(rows)
-        with as_input_error(path), whole(path) as draft:
-            draft.write_text(text.getvalue(), encoding="utf-8")
-        return path
+        return write_table(path, self.rows())
 
     def plot(self) -> Any:
         """A line of cells for each trouble, from mild to hard: filled where the walk stood.

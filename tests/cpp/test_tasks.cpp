@@ -327,6 +327,26 @@ BOOST_AUTO_TEST_CASE(momentum_rows_give_the_rate_of_the_momentum) {
   });
 }
 
+BOOST_AUTO_TEST_CASE(a_soft_trunk_comes_back_slowly_and_a_stiff_one_as_its_gains_say) {
+  everywhere([](const Instant& at) {
+    TrunkTask trunk;
+    trunk.R_HB = rotation_z(0.3) * at.dyn().R_WB;  // a third of a radian from where it should be
+    trunk.kp = 300;
+    trunk.kd = 35;
+    const auto answer = [&](double softness) {
+      trunk.softness = softness;
+      return trunk.acceleration(at.dyn(), Mat3::Identity(), 0.0);
+    };
+    const Vec3 stiff = answer(0.0), error = orientation_error(trunk.R_HB, at.dyn().R_WB);
+    CHECK_NEAR(stiff, Vec3(300 * error - 35 * at.dyn().omega_WB), 1e-9);
+    trunk.soft_rate = 2.0;
+    trunk.soft_most = 3.0;
+    const Vec3 soft = answer(1.0), free = 4.0 * error - 4.0 * at.dyn().omega_WB;
+    CHECK_NEAR(soft, free.cwiseMax(-3.0).cwiseMin(3.0), 1e-9);
+    CHECK_NEAR(answer(0.25), Vec3(0.75 * stiff + 0.25 * soft), 1e-9);
+  });
+}
+
 BOOST_AUTO_TEST_CASE(the_walks_own_tasks_stacked_are_what_the_direct_path_solves) {
   everywhere([](const Instant& at) {
     const Dynamics& dyn = at.dyn();

@@ -303,16 +303,16 @@ double Robot::joint_margin(const Data& d) const {
 
 double Robot::sole_friction(Side side) const {
   const auto meet = [&](int a, int b) {
-    return (m_->geom_contype[a] & m_->geom_conaffinity[b]) || (m_->geom_contype[b] & m_->geom_conaffinity[a]);
+    return (m_.geom_contype[a] & m_.geom_conaffinity[b]) || (m_.geom_contype[b] & m_.geom_conaffinity[a]);
   };
   double least = std::numeric_limits<double>::infinity(), own = least;
-  for (int a = 0; a < m_->ngeom; ++a) {
-    if (!is_foot(side, m_->geom_bodyid[a]) || !(m_->geom_contype[a] || m_->geom_conaffinity[a])) continue;
-    own = std::min(own, m_->geom_friction[3 * a]);
-    for (int b = 0; b < m_->ngeom; ++b) {
-      if (m_->body_weldid[m_->geom_bodyid[b]] != 0 || !meet(a, b)) continue;
-      const int prior = m_->geom_priority[a] - m_->geom_priority[b];
-      const double of_a = m_->geom_friction[3 * a], of_b = m_->geom_friction[3 * b];
+  for (int a = 0; a < m_.ngeom; ++a) {
+    if (!is_foot(side, m_.geom_bodyid[a]) || !(m_.geom_contype[a] || m_.geom_conaffinity[a])) continue;
+    own = std::min(own, m_.geom_friction[3 * a]);
+    for (int b = 0; b < m_.ngeom; ++b) {
+      if (m_.body_weldid[m_.geom_bodyid[b]] != 0 || !meet(a, b)) continue;
+      const int prior = m_.geom_priority[a] - m_.geom_priority[b];
+      const double of_a = m_.geom_friction[3 * a], of_b = m_.geom_friction[3 * b];
       least = std::min(least, prior > 0 ? of_a : prior < 0 ? of_b : std::max(of_a, of_b));
     }
   }

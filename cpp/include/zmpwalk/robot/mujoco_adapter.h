@@ -24,7 +24,7 @@ extern "C" {
   X(double, jnt_range)                                                                                           \
   X(int, dof_bodyid) X(int, dof_jntid) X(int, dof_parentid) X(double, dof_frictionloss) X(double, dof_armature)  \
   X(double, dof_damping)                                                                                         \
-  X(int, geom_bodyid) X(int, geom_contype) X(int, geom_conaffinity)                                              \
+  X(int, geom_bodyid) X(int, geom_contype) X(int, geom_conaffinity) X(int, geom_priority) X(double, geom_friction) \
   X(int, site_type) X(int, site_bodyid) X(double, site_size) X(double, site_pos) X(double, site_quat)            \
   X(int, pair_geom1) X(int, pair_geom2)                                                                          \
   X(int, eq_type) X(int, eq_obj1id) X(int, eq_obj2id) X(double, eq_data)                                         \
