@@ -51,11 +51,10 @@ void DisturbanceObserver::update(const Vec3& dcom, bool frozen) {
   if (!on_) return;
   const Vec3 unexplained = dcom - last_ - (commanded_ + passing_) * dt_;
   last_ = dcom;
-  if (frozen) return;
   square_ += (unexplained.squaredNorm() - square_) * std::min(dt_ / (kNoiseTime * time_), 1.0);
   const double time = time_ * std::clamp(std::sqrt(square_ / 3.0) / speed_noise_, 1.0, kSlowest);
   passing_ += unexplained / std::max(time, dt_);
-  if (passing_.head<2>().norm() > push_) return;
+  if (frozen || passing_.head<2>().norm() > push_) return;
   found_ += (passing_ - found_) * std::min(dt_ / time, 1.0);
   for (int i = 0; i < 2; ++i) made_up_for_[i] = beyond(found_[i], tolerance_, force_most_);
   made_up_for_.z() = beyond(found_.z(), tolerance_, weight_most_ * gravity_);
