@@ -10,6 +10,7 @@
 #include "zmpwalk/control/tasks/joint.hpp"
 #include "zmpwalk/control/tasks/momentum.hpp"
 #include "zmpwalk/simulation.hpp"
+#include "zmpwalk/simulation/uncertainty.hpp"
 #include "zmpwalk/walk/walking_controller.hpp"
 
 // The control cycle does not touch the heap: Eigen's own watch aborts with a line number, and every malloc of this program,
@@ -230,6 +231,32 @@ BOOST_AUTO_TEST_CASE(cycle_that_feels_the_ground_allocates_nothing) {
   WalkSettings s;
   s.gait.touch_down = TouchDown::kContact;
   stays_off_the_heap(walk(2.0, s));
+}
+
+BOOST_AUTO_TEST_CASE(cycle_that_makes_up_for_a_force_and_a_noisy_attitude_allocates_nothing) {
+  WalkingController controller(mahru(), describe(mahru()));
+  const MjDataPtr d = make_data(mahru());
+  controller.robot().description().place(mahru(), d.get());
+  controller.reset(d.get());
+  Uncertainty unsure;
+  unsure.noise.attitude = 0.005;
+  Sensors sensors(unsure, controller.robot().nv(), 0.001);
+  State truth(controller.robot().nv());
+  long cycles = 0;
+  double least = 1.0;
+  for (int k = 0; k < 1500; ++k) {
+    d->xfrc_applied[6 * controller.robot().root_body() + 1] = 20.0;
+    controller.robot().observe(d.get(), truth);
+    const State& told = sensors.measure(truth);
+    const CycleOutput* out = nullptr;
+    cycles += allocated([&] { out = &controller.update(told); });
+    controller.robot().write_torque(out->tau, d.get());
+    mj_step(mahru(), d.get());
+    if (k >= 1000) least = std::min(least, out->disturbance.y());
+  }
+  BOOST_CHECK_EQUAL(cycles, 0);
+  BOOST_CHECK_GT(least, 0.1);
+  BOOST_CHECK(controller.output().fell == Fall::kNone);
 }
 
 BOOST_AUTO_TEST_CASE(cycle_in_a_scene_allocates_nothing) {

@@ -18,6 +18,20 @@ void apply_external(Dynamics& dynamics, const ExternalWrench& external) {
   dynamics.M_ext += external.wrench.tail<3>() + (frame.p_WF - dynamics.com).cross(F);
 }
 
+void apply_disturbance(Dynamics& dynamics, const Disturbance& disturbance) {
+  if (disturbance.none()) return;
+  if (const double weight = disturbance.weight; weight != 1.0) {
+    dynamics.mass *= weight;
+    dynamics.A *= weight;
+    dynamics.g *= weight;
+    dynamics.b += (weight - 1.0) * dynamics.drift_momentum;
+    dynamics.drift_momentum *= weight;
+  }
+  const Vec2 F = dynamics.mass * disturbance.acceleration;
+  dynamics.b.noalias() -= dynamics.J_com.topRows<2>().transpose() * F;
+  dynamics.F_ext.head<2>() += F;
+}
+
 ForcedPendulum forced_pendulum(const Dynamics& dynamics, double ground) {
   const Vec3 &F = dynamics.F_ext, &M = dynamics.M_ext;
   constexpr double kLeastLoad = 0.1;  // of the weight

@@ -48,6 +48,7 @@ WalkSettings::WalkSettings(const std::string& preset) : law(preset) {
   tracking.law = chosen<TrackerLawName>("tracking.law", "bang_bang");
   zmp.iteration = Iteration::kLoop;
   zmp.lateral_law = chosen<LateralLawName>("zmp.lateral_law", "paper");
+  observer.on = false;
   zmp.bound_lateral = false;
   zmp.sole_exponent = 0.0;
   com.state = ComState::kDesired;

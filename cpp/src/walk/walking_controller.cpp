@@ -53,6 +53,8 @@ WalkingController::WalkingController(const Model& model, const RobotDescription&
       limits_(limits_of(robot_, settings_), whole_body_),
       estimator_(robot_.nv()),
       fall_(settings_),
+      observer_(settings_, robot_.dynamics().gravity.norm()),
+      attitude_(settings_, robot_.dynamics().gravity.norm()),
       clock_(settings_.control.dt),
       posture_task_(robot_.joints()),
       state_(robot_.nv()),
@@ -216,6 +218,8 @@ void WalkingController::start() {
   added_.reset();
   whole_body_.reserve(added_);
   f_xy_.setZero();
+  observer_.reset(dyn.dcom);
+  attitude_.reset(dyn.R_WB);
 }
 
 const CycleOutput& WalkingController::update(const State& state) {
@@ -228,7 +232,9 @@ const CycleOutput& WalkingController::update(const State& state) {
     clock_.hold(state.time);
     return out_;
   }
-  robot_.read(state);
+  state_.q = state.q;
+  state_.dq = state.dq;
+  robot_.read(believe() ? state_ : state);
   cycle(state);
   return out_;
 }
@@ -244,7 +250,7 @@ const CycleOutput& WalkingController::update(const Data& data, Terms terms, cons
   if (due && terms == Terms::kInData) robot_.require_computed(data);
   out_.fresh = due;
   if (due) {
-    if (terms == Terms::kInData)
+    if (!believe() && terms == Terms::kInData)
       robot_.read_computed(data);
     else
       robot_.read(state_);
@@ -260,6 +266,20 @@ const CycleOutput& WalkingController::update(const Data& data, Terms terms, cons
   return out_;
 }
 
+bool WalkingController::believe() { return attitude_.correct(state_.q.segment<4>(3), state_.dq.segment<3>(3)); }
+
+void WalkingController::observe_disturbance() {
+  const Dynamics& dyn = robot_.dynamics();
+  const GaitOutput& gait = gait_.output();
+  const bool frozen = out_.fell != Fall::kNone || out_.saturated;
+  observer_.update(dyn.dcom, frozen);
+  if (!frozen && gait.phase.phase == Phase::kSingleSupport)
+    attitude_.look_for_bias(dyn.R_WB, dyn.sole[gait.support].R_WF.col(2), observer_.found().head<2>());
+  robot_.apply_disturbance(observer_.disturbance());
+  out_.disturbance = observer_.made_up_for();
+  out_.attitude_bias = attitude_.bias();
+}
+
 void WalkingController::feel(const MeasuredContact& contact) {
   const Sensed felt = felt_by(contact);
   for (const Side side : kSides) {
@@ -271,6 +291,7 @@ void WalkingController::feel(const MeasuredContact& contact) {
 
 void WalkingController::cycle(const State& state) {
   robot_.apply_external(state.external);
+  observe_disturbance();
   const Dynamics& dyn = robot_.dynamics();
   const double t = clock_.since_start(state.time);
   clock_.tick(state.time);
@@ -302,6 +323,7 @@ void WalkingController::cycle(const State& state) {
 
   // III-C, (16) and III-B choose the COM's x and y by the ZMP that they lead to. (1)-(8) give the torque, (9)-(15) its ZMP.
   decide_reference(cycle);
+  observer_.command({f_xy_.x(), f_xy_.y(), f_star_.com.z()});
   whole_body_.solve(f_xy_, result_);
   limit_torque(gait);
   dcom_expected_ = dyn.dcom.head<2>() + settings_.control.dt / dyn.mass * horizontal_force(dyn, gait.standing);

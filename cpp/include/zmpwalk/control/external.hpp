@@ -16,6 +16,19 @@ struct ExternalWrench {
 /// leads to the motion that was asked for. Allocates nothing. @throws InputError  there is no such frame
 void apply_external(Dynamics& dynamics, const ExternalWrench& external);
 
+/// What a robot does beside what its model says, as far as it has been found.
+struct Disturbance {
+  Vec2 acceleration = Vec2::Zero();  ///< of the COM by an unknown horizontal force, W [m/s^2]
+  double weight = 1.0;               ///< its mass over the model's
+  bool none() const { return acceleration.isZero(0.0) && weight == 1.0; }
+};
+
+/// Lets `dynamics` be those of the disturbed robot: all of its masses are `weight` times the model's, and the force acts at its COM.
+///
+/// Torque, estimated ZMP and pendulum then take both into account, as they do with known forces. Rotors are scaled too, which are no part of the
+/// weight. Allocates nothing.
+void apply_disturbance(Dynamics& dynamics, const Disturbance& disturbance);
+
 /// The pendulum (16) under a known force. It is the free pendulum with a COM that appears shifted, and with another gravity.
 struct ForcedPendulum {
   Vec2 shift = Vec2::Zero();  ///< W [m]

@@ -55,6 +55,8 @@ class Robot {
   int watch(const std::string& name);
   /// Adds known forces to the dynamics (`zmpwalk::apply_external`), until the next read. Allocates nothing. @throws InputError  no such frame
   void apply_external(const std::vector<ExternalWrench>& external);
+  /// Changes the dynamics to those of a disturbed robot (`zmpwalk::apply_disturbance`), until the next read. Allocates nothing.
+  void apply_disturbance(const Disturbance& disturbance) { zmpwalk::apply_disturbance(dynamics_, disturbance); }
   /// The robot's own part of qpos (nv + 1,) and qvel (nv,), as last read.
   Eigen::Map<const VecX> qpos() const;
   Eigen::Map<const VecX> qvel() const;

@@ -31,6 +31,7 @@ struct WalkSettings {
   ContactSettings contact;
   ControlSettings control;
   LimitsSettings limits;
+  ObserverSettings observer;
   FallSettings fall;
 };
 
@@ -38,7 +39,7 @@ struct WalkSettings {
 template <class Settings, class Visitor>
 void visit_groups(Settings& s, Visitor&& v) {
   v(s.gait), v(s.steps), v(s.swing), v(s.com), v(s.zmp), v(s.tracking), v(s.rate), v(s.trunk), v(s.posture), v(s.arms),
-      v(s.contact), v(s.control), v(s.limits), v(s.fall);
+      v(s.contact), v(s.control), v(s.limits), v(s.observer), v(s.fall);
 }
 
 /// Calls `v(member, row)` for every setting of a group.

@@ -497,6 +497,51 @@ struct LimitsSettings {
   }
 };
 
+struct ObserverSettings {
+  static constexpr const char* kGroup = "observer";
+  static constexpr const char* kMeaning =
+      "What the controller finds out about what it does not know: steady forces, wrong masses, a biased attitude, "
+      "noise.";
+
+  bool on = true;
+  double time = kNaN, speed_noise = kNaN, tolerance = kNaN, force_most = kNaN, weight_most = 0.35, push = kNaN;
+  double attitude_time = kNaN, attitude_noise = 1e-3;
+  double bias_time = kNaN, bias_most = 0.09, sole_tilt = 4e-3;
+
+  template <class Self, class Visitor>
+  static void rows(Self& g, Visitor&& v) {
+    v(g.on, "on", "observer", "", must_be::kAnything, {},
+      "Whether the walk makes up for steady forces, wrong masses, and noise or bias of the measured attitude. A walk "
+      "that knows everything keeps its bits.");
+    v(g.time, "time", "observer_time", "s", must_be::kPositive, {0.18, of::kTimeConstant},
+      "Time constant with which a disturbance is found: an acceleration of the COM that the command does not explain. "
+      "Where the measured speed is noisy, it grows up to four times.");
+    v(g.speed_noise, "speed_noise", "observer_speed_noise", "m/s", must_be::kPositive, {0.0092, of::kFroudeSpeed},
+      "Change of the COM's speed from cycle to cycle that the command does not explain, as root of its mean square, up "
+      "to which the speed counts as measured without noise.");
+    v(g.tolerance, "tolerance", "observer_tolerance", "m/s^2", must_be::kNotNegative, {0.005, of::kGravity},
+      "A disturbance is made up for where it is larger than this, and less by this: contacts that give way a little "
+      "are none.");
+    v(g.force_most, "force_most", "observer_force_most", "m/s^2", must_be::kNotNegative, {0.13, of::kGravity},
+      "Most that is made up for of a steady horizontal disturbance, along either axis.");
+    v(g.weight_most, "weight_most", "observer_weight_most", "", must_be::kShare, {},
+      "Most that the robot is taken to be heavier or lighter than its model says, as a share of its mass.");
+    v(g.push, "push", "observer_push", "m/s^2", must_be::kPositive, {0.16, of::kGravity},
+      "A horizontal disturbance that is larger than this is a push and not steady: what was found before it is held.");
+    v(g.attitude_time, "attitude_time", "attitude_time", "s", must_be::kPositive, {1.1, of::kTimeConstant},
+      "Time constant with which a noisy attitude of the base corrects the one that its angular velocity leads to.");
+    v(g.attitude_noise, "attitude_noise", "attitude_noise", "rad", must_be::kNotNegative, {},
+      "Angle between the measured attitude and the one that the angular velocity leads to from the cycle before, as "
+      "root of its mean square, up to which the attitude is taken as it is measured.");
+    v(g.bias_time, "bias_time", "attitude_bias_time", "s", must_be::kPositive, {1.8, of::kTimeConstant},
+      "Time constant with which a bias of the measured attitude is found.");
+    v(g.bias_most, "bias_most", "attitude_bias_most", "rad", must_be::kNotNegative, {},
+      "Most that is made up for of a bias of the measured attitude.");
+    v(g.sole_tilt, "sole_tilt", "attitude_sole_tilt", "rad", must_be::kNotNegative, {},
+      "Tilt of the standing sole from level that shows no bias yet: contacts give way a little.");
+  }
+};
+
 struct FallSettings {
   static constexpr const char* kGroup = "fall";
   static constexpr const char* kMeaning = "What counts as a fall, which ends the run.";

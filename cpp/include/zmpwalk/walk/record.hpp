@@ -38,6 +38,7 @@ struct CycleOutput {
   std::array<Eigen::Matrix<double, 7, 1>, 2> foot;
   VecX tau;
   Vec12 f_c = Vec12::Constant(kNaN);
+  Vec3 disturbance = Vec3::Zero(), attitude_bias = Vec3::Zero();
   double torque_ratio = 0.0;
   bool saturated = false, damped = false;
   ActiveLimits limits;
@@ -142,6 +143,11 @@ void visit_columns(Visitor&& v) {
   v("contact_wrench", &After::contact_wrench, kWrenches, "N, N m", "W",
     "Wrench of the robot on the ground that MuJoCo's contacts gave under each foot, at the centre of its sole; a foot"
     " without contact has NaN.");
+  v("disturbance", &Out::disturbance, kXyz, "m/s^2", "W",
+    "Steady acceleration of the COM that the command does not explain and that is made up for: x and y as a force, z as "
+    "a mass that differs from the model's.");
+  v("attitude_bias", &Out::attitude_bias, kXyz, "rad", "B",
+    "Rotation vector of the bias that was found in the measured attitude and is taken out of it.");
   v("torque_ratio", &Out::torque_ratio, kOne, "", "",
     "Largest ratio of a joint's torque to its limit, before limits are kept or torques cut.");
   v("saturated", &Out::saturated, kOne, "", "",

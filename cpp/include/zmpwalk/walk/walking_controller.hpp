@@ -25,6 +25,7 @@
 #include "zmpwalk/walk/cycle.hpp"
 #include "zmpwalk/walk/fall_watch.hpp"
 #include "zmpwalk/walk/leg_reach.hpp"
+#include "zmpwalk/walk/observer.hpp"
 #include "zmpwalk/walk/record.hpp"
 #include "zmpwalk/zmp/bounds.hpp"
 #include "zmpwalk/zmp/estimate.hpp"
@@ -135,7 +136,9 @@ class WalkingController {
   void require_external(const std::vector<ExternalWrench>& external) const;
   void start();                               // a walk begins with the dynamics of this instant
   void feel(const MeasuredContact& contact);  // where the state does not know better
+  bool believe();  // puts the attitude that is believed into state_; false where it is the measured one
   void cycle(const State& state);
+  void observe_disturbance();
   void follow_pendulum();  // gait and reference take that of the COM's height and of the known forces
   void command_tasks(const Cycle& cycle);
   // A robot that has been pushed does not hold its trunk upright at once: that would take the ZMP that holds the DCM.
@@ -164,6 +167,8 @@ class WalkingController {
   ZmpEstimator estimator_;
   TaskStack added_;  // by the user
   FallWatch fall_;
+  DisturbanceObserver observer_;
+  AttitudeObserver attitude_;
   ControlClock clock_;
   Mailbox mailbox_;
 
