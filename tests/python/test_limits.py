@@ -78,13 +78,16 @@ def shoulders(trace):
 def test_arms_help_while_a_sole_cannot_hold_the_yaw_moment_and_come_home():
     """The floor is as rough as ever; only the controller thinks that it is slippery."""
     profile = VelocityProfile.piecewise([(0, 0), (1, 0.3), (4, 0.3), (5, 0)])
-    helped, alone = (simulate(profile=profile, duration=9.0, settings=WalkSettings(friction=0.1, arms_reserve=share)) for share in (1.0, 0.0))  # fmt: skip
+    helped, alone = (
+        simulate(profile=profile, duration=9.0, settings=WalkSettings(friction=0.2, arms_reserve=share))
+        for share in (1.0, 0.0)
+    )
     yaw = (helped.limit_soles.astype(int) & 0x88) > 0
     assert yaw.any() and not helped.fell.any()
     first = np.flatnonzero(yaw)[0]
     assert np.array_equal(helped.tau[:first], alone.tau[:first])  # until then nothing is different
-    assert shoulders(helped).max() > 10 * shoulders(alone).max()
-    assert shoulders(helped)[-1] < 0.02  # rad
+    assert shoulders(helped).max() > 0.1 and shoulders(alone).max() < 0.02  # rad
+    assert shoulders(helped)[-1] < 0.02
     assert yaw.sum() < ((alone.limit_soles.astype(int) & 0x88) > 0).sum()
 
 

@@ -12,7 +12,7 @@ ArmSwing::ArmSwing(const Robot& robot, const WalkSettings& settings)
       kp_(settings.arms.kp),
       kd_(settings.arms.kd),
       reserve_(std::max(settings.arms.reserve, share_)),
-      rise_(20.0 * settings.control.dt / settings.arms.reserve_time),
+      rise_(10.0 * settings.control.dt / settings.arms.reserve_time),
       fall_(settings.control.dt / settings.arms.reserve_time),
       arms_(robot.arm_joints()),
       swinging_(arms_),
@@ -36,9 +36,9 @@ void ArmSwing::help(bool needed) {
   if (reserve_ > share_) helping_ = std::clamp(needed ? helping_ + rise_ : helping_ - fall_, 0.0, 1.0);
 }
 
-void ArmSwing::command(const Dynamics& dyn, const Stance& stance, const Vec2& f_xy, double turning,
-                       const MotionReference& reference, const TaskStack& tasks, WholeBodyController& whole_body,
-                       TaskAccelerations& f_star) {
+void ArmSwing::command(const Dynamics& dyn, const VecX& torque_limit, const Stance& stance, const Vec2& f_xy,
+                       double turning, const MotionReference& reference, const TaskStack& tasks,
+                       WholeBodyController& whole_body, TaskAccelerations& f_star) {
   posture_ = f_star.posture;
   for (const int j : swinging_) f_star.posture[j] = 0.0;
   whole_body.prepare(dyn, stance, f_star, &tasks);
@@ -59,7 +59,9 @@ void ArmSwing::command(const Dynamics& dyn, const Stance& stance, const Vec2& f_
     const double ddq = reference.ddq()[j] + c_inv * dL_rest +
                        pd_acceleration(kp_, kd_, reference.q()[j] - q, reference.dq()[j] + c_inv * L_rest - dq);
     const auto [low, high] = range_[j];
-    const double kept = std::clamp(ddq, kd_ * (0.25 * kd_ * (low - q) - dq), kd_ * (0.25 * kd_ * (high - q) - dq));
+    const double most = 0.5 * torque_limit[j] / dyn.A(6 + j, 6 + j);
+    const double kept = std::clamp(std::clamp(ddq, -most, most), kd_ * (0.25 * kd_ * (low - q) - dq),
+                                   kd_ * (0.25 * kd_ * (high - q) - dq));
     f_star.posture[j] = (1.0 - loose) * posture_[j] + loose * kept;
   }
 }

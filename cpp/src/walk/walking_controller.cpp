@@ -318,7 +318,9 @@ void WalkingController::cycle(const State& state) {
   stance_.support = gait.support;
   stance_.lateral << left_of(gait.ahead), 0.0;
   arms_.help(out_.limits.holds_yaw());
-  if (arms_.on()) arms_.command(dyn, stance_, f_xy_, gait.v_plan.z(), body_.reference(), added_, whole_body_, f_star_);
+  if (arms_.on())
+    arms_.command(dyn, robot_.torque_limit(), stance_, f_xy_, gait.v_plan.z(), body_.reference(), added_, whole_body_,
+                  f_star_);
   whole_body_.prepare(dyn, stance_, f_star_, &added_);
 
   // III-C, (16) and III-B choose the COM's x and y by the ZMP that they lead to. (1)-(8) give the torque, (9)-(15) its ZMP.

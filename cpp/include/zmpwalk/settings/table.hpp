@@ -406,7 +406,7 @@ struct ArmsSettings {
       "sole holds the torque back, so that the foot does not spin. With 0 they never help.");
     v(g.reserve_time, "reserve_time", "arms_reserve_time", "s", must_be::kPositive, {2.0, of::kTimeConstant},
       "Time in which the arms return to their posture once the soles hold the yaw moment again. They come to help in a "
-      "twentieth of it.");
+      "tenth of it.");
   }
 };
 

@@ -16,6 +16,8 @@ namespace zmpwalk {
 /// The first term cancels what the rest of the body does, the second brings L_z to zero at the rate k_d, and the third is a soft spring
 /// that brings the arms home. A joint that comes near to its limit is slowed down as a critically damped joint would be.
 ///
+/// It takes at most half of its torque for its acceleration, however noisy the measured momentum is.
+///
 /// Arms that do not swing, or little, are a reserve: while the yaw friction of a sole holds the torque back, they come to help, and
 /// return to what they did before.
 class ArmSwing {
@@ -34,9 +36,9 @@ class ArmSwing {
   /// Writes the accelerations of the swinging joints into `f_star.posture`, where those of the posture task stand. Allocates nothing.
   ///
   /// @param f_xy COM acceleration of the cycle before, W (2,) [m/s^2]   @param turning planned rate of turning w_z [rad/s]   @param tasks of the user's, which the arms swing around
-  void command(const Dynamics& dynamics, const Stance& stance, const Vec2& f_xy, double turning,
-               const MotionReference& reference, const TaskStack& tasks, WholeBodyController& whole_body,
-               TaskAccelerations& f_star);
+  void command(const Dynamics& dynamics, const VecX& torque_limit, const Stance& stance, const Vec2& f_xy,
+               double turning, const MotionReference& reference, const TaskStack& tasks,
+               WholeBodyController& whole_body, TaskAccelerations& f_star);
 
  private:
   double share_, kp_, kd_, reserve_, rise_, fall_;  // the last two per cycle
