@@ -13,7 +13,7 @@ DEMO_OUT ?= out/demo
 SANITIZE ?= address,undefined
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: help demo test pytest ctest sanitize bench ladder pushes instructions same native peers wheel wheel-check adapters matrix sdist stubs columns format lint check-all clean
+.PHONY: help demo test pytest ctest sanitize bench ladder pushes soak instructions same native peers wheel wheel-check adapters matrix sdist stubs columns format lint check-all clean
 
 help:
 	@echo 'make demo         walk the paper'\''s experiment; figures, trace and summary go to $(DEMO_OUT)'
@@ -21,6 +21,7 @@ help:
 	@echo 'make pytest       only the Python tests;  make ctest  only the C++ tests'
 	@echo 'make sanitize     the C++ tests under $(SANITIZE)'
 	@echo 'make bench        how fast it is here: every figure of docs/benchmarks.md; make peers  beside TSID and placo'
+	@echo 'make soak         an hour of random commands and pushes (docs/pushes.md);  SOAK_ARGS="--hours 0.1"'
 	@echo 'make ladder       walks faster and faster until it falls (docs/walk_anywhere.md)'
 	@echo 'make pushes       pushes the bundled robot until it falls (docs/pushes.md); an hour'
 	@echo 'make instructions instructions of a cycle against the record (needs valgrind);  make native  against -march=native'
@@ -166,6 +167,9 @@ ladder: $(B)/installed.stamp
 
 pushes: $(B)/installed.stamp
 	$(PY) benchmarks/pushes.py
+
+soak: $(B)/installed.stamp
+	@$(PY) benchmarks/soak.py $(SOAK_ARGS)
 
 peers: $(B)/installed.stamp
 	$(PY) benchmarks/peers/run.py

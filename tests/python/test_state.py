@@ -143,3 +143,18 @@ def test_a_single_support_that_takes_another_time_ends_then_and_the_robot_walks_
     for bad in (0.0, -1.0, np.nan):
         with pytest.raises(zmpwalk.InputError, match="remaining"):
             controller.retime(bad)
+
+
+def test_a_walk_that_starts_a_kilometre_away_is_the_same_walk(walker):
+    ways = []
+    for away in (0.0, 1000.0):
+        controller, model, data = walker(profile=[(0, 0), (1, 0.25)])
+        data.qpos[:2] += away
+        controller.reset(data)
+        way = []
+        while data.time < 5.0:
+            way.append(controller.update(data).com[:2] - away)
+            mujoco.mj_step(model, data)
+        ways.append(np.array(way))
+    assert ways[0][-1, 0] > 0.8
+    np.testing.assert_allclose(ways[1], ways[0], atol=1e-8)
