@@ -24,7 +24,7 @@ auto got(S& s, Get get, Otherwise otherwise) {
 
 /// The same for one entry of what `get` makes of `s`.
 template <class S, class Get, class Otherwise>
-auto got(S& s, Get get, int index, Otherwise otherwise) {
+auto got(S& s, Get get, long index, Otherwise otherwise) {
   if constexpr (std::is_invocable_v<Get, S&>)
     return get(s)[index];
   else
@@ -140,20 +140,18 @@ void compute_inertia(const void* m, void* d) { (mj.mj_makeM ? mj.mj_makeM : mj.m
 void inertia(const void* of, const void* from, int dof, int n, double* A) {
   const mjModel* m = model(of);
   const mjData* d = data(from);
-  if (const mjtNum* qM = MEMBER(*d, qM, nullptr)) {  // the diagonal, then the ancestors on the way to the root
-    for (int i = 0; i < n; ++i) {
-      const mjtNum* entry = qM + m->dof_Madr[dof + i];
-      for (int j = dof + i; j >= 0; j = m->dof_parentid[j], ++entry) A[i * n + j - dof] = A[(j - dof) * n + i] = *entry;
+  A -= (n + 1L) * dof;  // so that rows and columns count as MuJoCo's velocities do
+  for (long i = dof; i < dof + n; ++i) {
+    double *row = A + i * n, *column = A + i;
+    if (const mjtNum* qM = MEMBER(*d, qM, nullptr)) {  // the diagonal, then the ancestors on the way to the root
+      const mjtNum* entry = qM + m->dof_Madr[i];
+      for (long j = i; j >= 0; j = m->dof_parentid[j]) row[j] = column[j * n] = *entry++;
+    } else {  // a row of the lower triangle
+      const mjtNum* M = MEMBER(*d, M, nullptr);
+      const int* columns = MEMBER(*m, M_colind, nullptr);
+      const long first = ENTRY(*m, M_rowadr, i, 0), end = first + ENTRY(*m, M_rownnz, i, 0);
+      for (long k = first; k < end; ++k) row[columns[k]] = column[columns[k] * n] = M[k];
     }
-    return;
-  }
-  const mjtNum* M = MEMBER(*d, M, nullptr);  // rows of the lower triangle
-  const int *adr = MEMBER(*m, M_rowadr, nullptr), *count = MEMBER(*m, M_rownnz, nullptr),
-            *column = MEMBER(*m, M_colind, nullptr);
-  for (int i = 0; i < n; ++i) {
-    const int row = dof + i;
-    for (int k = adr[row]; k < adr[row] + count[row]; ++k)
-      A[i * n + column[k] - dof] = A[(column[k] - dof) * n + i] = M[k];
   }
 }
 
