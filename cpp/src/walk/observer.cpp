@@ -8,6 +8,8 @@ namespace zmpwalk {
 namespace {
 
 constexpr double kSlowest = 4.0;    // most by which noise lengthens the observer's time
+constexpr double kHold = 6.0;       // times of the observer for which a push is waited for to pass
+constexpr double kCalm = 4.0;       // times of the observer over which what has been found counts as steady
 constexpr double kNoiseTime = 4.0;  // over which the mean square of the noise is taken, in times of the observer
 
 /// What is left of `x` beyond `tolerance`, at most `most`.
@@ -39,6 +41,8 @@ void DisturbanceObserver::reset(const Vec3& dcom) {
   commanded_.setZero();
   passing_.setZero();
   found_.setZero();
+  calm_.setZero();
+  held_ = 0.0;
   made_up_for_.setZero();
   square_ = 0.0;
 }
@@ -54,8 +58,16 @@ void DisturbanceObserver::update(const Vec3& dcom, bool frozen) {
   square_ += (unexplained.squaredNorm() - square_) * std::min(dt_ / (kNoiseTime * time_), 1.0);
   const double time = time_ * std::clamp(std::sqrt(square_ / 3.0) / speed_noise_, 1.0, kSlowest);
   passing_ += unexplained / std::max(time, dt_);
-  if (frozen || passing_.head<2>().norm() > push_) return;
-  found_ += (passing_ - found_) * std::min(dt_ / time, 1.0);
+  if (passing_.head<2>().norm() > push_) {
+    found_ = calm_;  // what its beginning has added is no steady disturbance
+    held_ = kHold * time;
+  } else if (held_ > 0.0) {
+    held_ -= dt_;
+  } else if (!frozen) {
+    found_ += (passing_ - found_) * std::min(dt_ / time, 1.0);
+    calm_ += (found_ - calm_) * std::min(dt_ / (kCalm * time), 1.0);
+  }
+  if (frozen) return;
   for (int i = 0; i < 2; ++i) made_up_for_[i] = beyond(found_[i], tolerance_, force_most_);
   made_up_for_.z() = beyond(found_.z(), tolerance_, weight_most_ * gravity_);
 }

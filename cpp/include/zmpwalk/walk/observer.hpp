@@ -10,8 +10,8 @@ namespace zmpwalk {
 /// Finds the steady acceleration d of the COM that the command does not explain: by a force, or by masses that differ from the model's.
 ///
 /// A robot that is told the acceleration f, with d_c of it to make up for d, accelerates by f - d_c + d. With e = dv - (f - d_c) dt, what the
-/// COM's speed changes by beyond the command, two low-passes in a row give d: p += (e - p dt) / T, and d += (p - d) dt / T where p is not that of a
-/// push. T is the setting `observer.time`, and up to four times as much where the measured speed is noisy: then the root mean square of
+/// COM's speed changes by beyond the command, two low-passes in a row give d: p += (e - p dt) / T, and d += (p - d) dt / T. Where p is that of a push,
+/// d goes back to what it was before, and waits until the push has passed. T is the setting `observer.time`, and up to four times as much where the measured speed is noisy: then the root mean square of
 /// e - p dt tells by how much.
 ///
 /// Of d, what is beyond `observer.tolerance` counts, up to a bound. The horizontal part counts as a force at the COM. The vertical part counts as
@@ -39,7 +39,9 @@ class DisturbanceObserver {
   double dt_, time_, speed_noise_, tolerance_, force_most_, weight_most_, push_, gravity_;
   Vec3 last_ = Vec3::Zero(), commanded_ = Vec3::Zero();
   Vec3 passing_ = Vec3::Zero(), found_ = Vec3::Zero(), made_up_for_ = Vec3::Zero();
-  double square_ = 0.0;  // mean of (e - p dt)^2, of three axes
+  double square_ = 0.0;         // mean of (e - p dt)^2, of three axes
+  Vec3 calm_ = Vec3::Zero();    // found before the last push
+  double held_ = 0.0;           // time for which that push is still waited for to pass [s]
 };
 
 /// Takes noise and bias out of the measured attitude of the base.
