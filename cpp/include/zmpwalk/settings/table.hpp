@@ -473,7 +473,7 @@ struct ObserverSettings {
 
   template <class Self, class Visitor>
   static void rows(Self& g, Visitor&& v) {
-    v(g.on, "on", "observer", "", must_be::kAnything, {},
+    v(g.on, "on", "disturbance_observer", "", must_be::kAnything, {},
       "Whether the walk makes up for steady forces, wrong masses, and noise or bias of the measured attitude. A walk "
       "that knows everything keeps its bits.");
     v(g.time, "time", "observer_time", "s", must_be::kPositive, {0.18, of::kTimeConstant},
