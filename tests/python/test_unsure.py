@@ -88,7 +88,7 @@ def test_a_wrong_mass_is_found_and_the_com_keeps_its_height(short):
 
 def test_a_bias_of_the_attitude_is_found(short):
     for name, bias in (("roll bias, left", (-TWO_DEGREES, 0)), ("pitch bias, forward", (0, TWO_DEGREES))):
-        assert short[name].attitude_bias[-1, :2] == pytest.approx(bias, abs=radians(0.7))
+        assert short[name].attitude_bias[-1, :2] == pytest.approx(bias, abs=radians(1.2))
 
 
 def test_no_torque_is_cut_for_noise():
@@ -98,9 +98,8 @@ def test_no_torque_is_cut_for_noise():
 
 
 def test_a_walk_that_knows_everything_keeps_its_bits():
-    with_it, without = (
-        simulate(profile=PROFILE, duration=4.0, settings={"observer": {"on": on}}) for on in (True, False)
-    )
+    with_it = simulate(profile=PROFILE, duration=4.0)
+    without = simulate(profile=PROFILE, duration=4.0, settings={"observer": {"on": False}})
     for name in ("qpos", "tau", "zmp_est"):
         np.testing.assert_array_equal(with_it[name], without[name])
     assert not np.any(with_it.disturbance)

@@ -482,7 +482,7 @@ struct ObserverSettings {
     v(g.speed_noise, "speed_noise", "observer_speed_noise", "m/s", must_be::kPositive, {0.0092, of::kFroudeSpeed},
       "Change of the COM's speed from cycle to cycle that the command does not explain, as root of its mean square, up "
       "to which the speed counts as measured without noise.");
-    v(g.tolerance, "tolerance", "observer_tolerance", "m/s^2", must_be::kNotNegative, {0.005, of::kGravity},
+    v(g.tolerance, "tolerance", "observer_tolerance", "m/s^2", must_be::kNotNegative, {0.015, of::kGravity},
       "A disturbance is made up for where it is larger than this, and less by this: contacts that give way a little "
       "are "
       "none.");
