@@ -510,7 +510,7 @@ struct ObserverSettings {
 
   template <class Self, class Visitor>
   static void rows(Self& g, Visitor&& v) {
-    v(g.on, "on", "observes", "", must_be::kAnything, {},
+    v(g.on, "on", "disturbance_observer", "", must_be::kAnything, {},
       "Whether the walk makes up for steady forces, wrong masses, and noise or bias of the measured attitude. A walk "
       "that knows everything keeps its bits.");
     v(g.time, "time", "observer_time", "s", must_be::kPositive, {0.18, of::kTimeConstant},
@@ -519,7 +519,7 @@ struct ObserverSettings {
     v(g.speed_noise, "speed_noise", "observer_speed_noise", "m/s", must_be::kPositive, {0.0092, of::kFroudeSpeed},
       "Change of the COM's speed from cycle to cycle that the command does not explain, as root of its mean square, up "
       "to which the speed counts as measured without noise.");
-    v(g.tolerance, "tolerance", "observer_tolerance", "m/s^2", must_be::kNotNegative, {0.005, of::kGravity},
+    v(g.tolerance, "tolerance", "observer_tolerance", "m/s^2", must_be::kNotNegative, {0.015, of::kGravity},
       "A disturbance is made up for where it is larger than this, and less by this: contacts that give way a little "
       "are none.");
     v(g.force_most, "force_most", "observer_force_most", "m/s^2", must_be::kNotNegative, {0.13, of::kGravity},
