@@ -1,8 +1,8 @@
 """A long walk with random commands and pushes: `python benchmarks/soak.py --hours 1`, or `make soak`.
 
-Each 1.5 to 4 s another velocity is commanded; every 5 s a push of 0.08 s hits the trunk from any side. After each minute of
-simulated time the script prints the median time of a control cycle and the memory of the process. It ends with what both
-did over the walk, and with exit code 1 where the robot fell.
+Each 1.5 to 4 s another velocity is commanded; every 5 s a push of 0.08 s hits the trunk from any side. After each
+minute of simulated time the script prints the median time of a control cycle and the memory of the process. It ends
+with what both did over the walk, and with exit code 1 where the robot fell.
 """
 
 import argparse

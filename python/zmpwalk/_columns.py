@@ -121,11 +121,28 @@ class RecordedColumns:
     """(T, 12) [N, N m]. Wrench of the robot on the ground that MuJoCo's contacts gave under each foot, at the centre of
     its sole; a foot without contact has NaN."""
 
+    disturbance: np.ndarray
+    """(T, 3) [m/s^2]. Steady acceleration of the COM that the command does not explain and that is made up for: x and y
+    as a force, z as a mass that differs from the model's."""
+
+    attitude_bias: np.ndarray
+    """(T, 3) [rad]. Rotation vector of the bias that was found in the measured attitude and is taken out of it."""
+
     torque_ratio: np.ndarray
-    """(T,). Largest ratio of a joint's torque to its limit, before torques are cut to their limits."""
+    """(T,). Largest ratio of a joint's torque to its limit, before limits are kept or torques cut."""
 
     saturated: np.ndarray
-    """(T,). Whether a torque was cut to its limit."""
+    """(T,). Whether a torque was cut to its limit, because no motion keeps the limits or because keep_limits is off."""
+
+    limit_soles: np.ndarray
+    """(T,). Limits of the soles that held the torque back, as a sum: 1 load, 2 friction, 4 centre of pressure, 8 yaw
+    friction of the left sole, and 16 times these of the right one."""
+
+    limit_torques: np.ndarray
+    """(T,). Joints whose torque limit held the torque back, as a sum: 2^j for joint j, from 0 on."""
+
+    limit_ranges: np.ndarray
+    """(T,). Joints whose range held the torque back, as a sum: 2^j for joint j, from 0 on."""
 
     damped: np.ndarray
     """(T,). Whether the motion was damped because a leg is nearly straight."""

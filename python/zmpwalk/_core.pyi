@@ -27,8 +27,10 @@ __all__: list[str] = [
     "JointMotion",
     "JointTask",
     "LegParts",
+    "LimitsSettings",
     "LinearInvertedPendulum",
     "MomentumTask",
+    "ObserverSettings",
     "Plane",
     "PoseReference",
     "PostureSettings",
@@ -66,6 +68,7 @@ __all__: list[str] = [
     "benchmark_walk",
     "build_info",
     "common_plane",
+    "connect",
     "describe",
     "distribute_wrench",
     "iterate_reference",
@@ -74,6 +77,7 @@ __all__: list[str] = [
     "mujoco_version",
     "pd_acceleration",
     "recorded_columns",
+    "seen",
     "simulate",
     "solve_reference",
     "trunk_body",
@@ -240,6 +244,7 @@ class RateSettingsDict(typing.TypedDict, total=False):
 class TrunkSettingsDict(typing.TypedDict, total=False):
     kp: float
     kd: float
+    yields: bool
 
 class PostureSettingsDict(typing.TypedDict, total=False):
     task: bool
@@ -251,6 +256,8 @@ class ArmsSettingsDict(typing.TypedDict, total=False):
     momentum: float
     kp: float
     kd: float
+    reserve: float
+    reserve_time: float
 
 class ContactSettingsDict(typing.TypedDict, total=False):
     wrench_distribution: bool
@@ -266,6 +273,27 @@ class ControlSettingsDict(typing.TypedDict, total=False):
     friction_velocity: float
     kernel: str
     torque_limits: typing.Mapping[str, float]
+
+class LimitsSettingsDict(typing.TypedDict, total=False):
+    keep: bool
+    friction: float
+    twist: float
+    range_margin: float
+    range_rate: float
+
+class ObserverSettingsDict(typing.TypedDict, total=False):
+    on: bool
+    time: float
+    speed_noise: float
+    tolerance: float
+    force_most: float
+    weight_most: float
+    push: float
+    attitude_time: float
+    attitude_noise: float
+    bias_time: float
+    bias_most: float
+    sole_tilt: float
 
 class FallSettingsDict(typing.TypedDict, total=False):
     height: float
@@ -399,6 +427,7 @@ class WalkSettings:
         trunk: TrunkSettings | TrunkSettingsDict = ...,
         trunk_kp: float = ...,
         trunk_kd: float = ...,
+        trunk_yields: bool = ...,
         posture: PostureSettings | PostureSettingsDict = ...,
         posture_task: bool = ...,
         posture_kp: float = ...,
@@ -408,6 +437,8 @@ class WalkSettings:
         momentum_arms: float = ...,
         momentum_kp: float = ...,
         momentum_kd: float = ...,
+        arms_reserve: float = ...,
+        arms_reserve_time: float = ...,
         contact: ContactSettings | ContactSettingsDict = ...,
         wrench_distribution: bool = ...,
         load_alone: float = ...,
@@ -421,6 +452,25 @@ class WalkSettings:
         friction_velocity: float = ...,
         kernel: str = ...,
         torque_limits: typing.Mapping[str, float] = ...,
+        limits: LimitsSettings | LimitsSettingsDict = ...,
+        keep_limits: bool = ...,
+        friction: float = ...,
+        twist_share: float = ...,
+        range_margin: float = ...,
+        range_rate: float = ...,
+        observer: ObserverSettings | ObserverSettingsDict = ...,
+        disturbance_observer: bool = ...,
+        observer_time: float = ...,
+        observer_speed_noise: float = ...,
+        observer_tolerance: float = ...,
+        observer_force_most: float = ...,
+        observer_weight_most: float = ...,
+        observer_push: float = ...,
+        attitude_time: float = ...,
+        attitude_noise: float = ...,
+        attitude_bias_time: float = ...,
+        attitude_bias_most: float = ...,
+        attitude_sole_tilt: float = ...,
         fall: FallSettings | FallSettingsDict = ...,
         fall_height: float = ...,
         fall_tilt: float = ...,
@@ -458,13 +508,13 @@ class WalkSettings:
                 lengths (step_lengths): How far each step lands ahead of the standing foot, one number per step; the last one repeats. Tied footsteps do not use it. Unit: m. Default: [].
                 width (step_width): Distance of the two feet from each other, sideways. Unit: m. Default: as the feet stand at the start.
                 clearance (foot_clearance): Least gap that a step leaves between the edges of the two soles, sideways. Unit: m. Default: 0.03 z_c.
-                shift (foothold_reach): How far a tied foothold may be moved from its nominal place to keep the robot balanced. Unit: m. Default: 0.25 z_c.
+                shift (foothold_reach): How far a tied foothold may be moved from its nominal place to keep the robot balanced. A robot that has been pushed uses all its reach. Unit: m. Default: 0.25 z_c.
                 filter_time (foothold_time): Time constant of the low-pass through which a tied foothold moves while the foot is in the air. Unit: s. Default: 0.18 T_c.
                 give (foothold_give): A COM that is faster or slower than planned needs another foothold or another ZMP. Up to this share of its bounds the ZMP over the next foot makes up for it; only the rest moves a tied foothold. With 0 each long step would be followed by a short one. Default: 0.3.
                 freeze (foothold_freeze): Share of the single support after which a tied foothold stays where it is, so that the foot lands calmly. Default: 0.7.
                 capture_distance (capture_reach): How far the DCM (COM + T_c times its velocity) may be from its planned place when the next foot takes over, with tied footsteps. Beyond that the tracked speed yields, so that the next step still catches the robot. Unit: m. Default: 0.07 z_c.
                 capture_speed: Most that the tracked speed yields, either way, to keep the DCM within capture_distance of its plan. Unit: m/s. Default: 0.2 sqrt(g z_c).
-                timing (step_timing): Whether a robot that has been pushed changes the time of its step, uses the whole sole, and steps out of a stand to catch itself. It then needs room: lateral_reach=1.6 and foothold_reach of half the COM's height. Only with tied footsteps. Default: False.
+                timing (step_timing): Whether a robot that has been pushed changes the time of its step, uses the whole sole, and steps out of a stand to catch itself. Only with tied footsteps. Default: True.
                 ahead_most (step_ahead_most): How far ahead of the standing foot, or behind it, a foot may be set down to catch the robot. Unit: m. Default: 0.6 z_c.
                 aside_most (step_aside_most): How far beside the standing foot a foot may be set down to catch the robot. Unit: m. Default: 0.67 z_c.
                 least_time (step_least_time): Shortest single support of a step that catches the robot. Unit: s. Default: 1.1 T_c.
@@ -474,7 +524,7 @@ class WalkSettings:
                 feed_forward (swing_feed_forward): Whether the acceleration of the planned swing is added to that which corrects the foot's error. Without it the foot lags behind its path. Default: True.
                 kp (swing_kp): Stiffness with which the foot in the air is held on its path: acceleration per error, in position and orientation. Unit: 1/s^2. Default: 3600 (0.276 s / T_c)^2.
                 kd (swing_kd): Damping with which the foot in the air is held on its path: acceleration per velocity error, in position and orientation. Unit: 1/s. Default: 120 (0.276 s / T_c).
-                ahead_acceleration (swing_ahead_acceleration): Acceleration, forward or backward, that a foothold may ask of the foot in the air beyond its way by itself. More would turn the standing foot on the ground. Unit: m/s^2. Default: 2 g.
+                ahead_acceleration (swing_ahead_acceleration): Acceleration, forward or backward, that a foothold may ask of the foot in the air beyond its way by itself. More would turn the standing foot on the ground, and push the COM the other way. Unit: m/s^2. Default: 1.5 g.
                 aside_acceleration (swing_aside_acceleration): Acceleration, sideways, that a foothold may ask of the foot in the air beyond its way by itself. Unit: m/s^2. Default: 4 g.
             com: How the centre of mass (COM) is moved: forward, sideways and in height. A dict, or ComSettings.
                 state (com_state): What counts as the COM's current state in the pendulum (16), (17): the 'measured' one, or the one that was 'desired' in the cycle before. One of 'measured', 'desired'. Default: 'measured'.
@@ -500,7 +550,7 @@ class WalkSettings:
                 ankle_torque_fraction: Share of an ankle's torque limit that may hold the ZMP away from the ankle. Where ankles are weak this, not the sole, bounds the ZMP. Default: 0.9.
                 bound_lateral: Whether the ZMP is kept inside its bounds sideways too. The paper bounds it forward only. Default: True.
                 lateral_law: Law by which the reference ZMP is shifted sideways from the middle of the sole that carries it (III-D). One of 'orbit', which shifts it so that the sway repeats; 'paper', which leaves it in the middle, so that an error at the start never decays. Default: 'orbit'.
-                lateral_shift (lateral_reach): Largest sideways shift of the reference ZMP that the lateral law may ask for, as a share of half the sole's width. Default: 0.4.
+                lateral_shift (lateral_reach): Largest sideways shift of the reference ZMP that the lateral law may ask for, as a share of half the sole's width. Default: 1.6.
                 whole_fraction (whole_sole_fraction): Share of the sole's length and width that the ZMP may use when the robot has been pushed. It takes the place of sole_fraction as the DCM (COM + T_c times its velocity) leaves its plan. Default: 0.95.
                 corner_cut: Share of the sole's length that the ZMP gives up where it is at the sole's side: in a corner of the sole it would tip the foot. Default: 0.3.
             tracking: How the walk follows the planned velocity (III-C). A dict, or TrackingSettings.
@@ -524,6 +574,7 @@ class WalkSettings:
             trunk: How the trunk is kept upright and along the path. A dict, or TrunkSettings.
                 kp (trunk_kp): Stiffness of the trunk's orientation: angular acceleration per angle of error. Unit: 1/s^2. Default: 300 (0.276 s / T_c)^2.
                 kd (trunk_kd): Damping of the trunk's orientation: angular acceleration per error of angular velocity. Unit: 1/s. Default: 35 (0.276 s / T_c).
+                yields (trunk_yields): Whether the trunk of a robot that has been pushed comes back upright slowly. A trunk that is held stiffly takes the ZMP away from where it would hold the DCM (COM + T_c times its velocity), and turns the standing foot. Default: True.
             posture: How the joints outside the legs (waist, arms, head) are moved. A dict, or PostureSettings.
                 task (posture_task): Whether the joints outside the legs are controlled. With false their motion is left to the torque of least norm. Default: True.
                 kp (posture_kp): Stiffness of the joints outside the legs: acceleration per angle of error. Unit: 1/s^2. Default: 100 (0.276 s / T_c)^2.
@@ -533,6 +584,8 @@ class WalkSettings:
                 momentum (momentum_arms): Share of the yaw momentum of legs and trunk that the arms cancel by swinging, 0 to 1. Joints that a motion names do not swing. Default: 0.0.
                 kp (momentum_kp): Stiffness of the spring that brings swinging arms back to their posture: acceleration per angle. Unit: 1/s^2. Default: 20 (0.276 s / T_c)^2.
                 kd (momentum_kd): Rate at which swinging arms bring the robot's yaw momentum to zero. Unit: 1/s. Default: 20 (0.276 s / T_c).
+                reserve (arms_reserve): Share of the yaw momentum that the arms cancel, where this is more than momentum, while the yaw friction of a sole holds the torque back, so that the foot does not spin. With 0 they never help. Default: 1.0.
+                reserve_time (arms_reserve_time): Time in which the arms return to their posture once the soles hold the yaw moment again. They come to help in a tenth of it. Unit: s. Default: 2 T_c.
             contact: How the feet that stand carry the robot. A dict, or ContactSettings.
                 wrench_distribution: Whether two standing feet share the load by the place of the ZMP between them. With false the torque of least norm decides, which ignores that feet cannot pull. Default: True.
                 load_alone: In double support one foot carries everything while the ZMP is this near to its centre line, in half sole widths. A foot that has just landed would chatter under a light load. Default: 0.7.
@@ -546,6 +599,25 @@ class WalkSettings:
                 friction_velocity: Joint speed below which dry friction is taken as proportional to the speed, so that it does not jump where a joint turns around. Unit: rad/s. Default: 0.02.
                 kernel: Build of the inner loops: 'auto' takes the best that this processor runs, and build_info()['kernels'] names those that there are. They agree to rounding. Default: 'auto'.
                 torque_limits: Torque limits by joint name, in place of the robot's own. A motor still gives no more than the model lets through. Unit: N m. Default: {}.
+            limits: What a torque must keep to: the joints' torques and ranges, and what the soles can hold. A dict, or LimitsSettings.
+                keep (keep_limits): Whether the nearest torque that keeps the limits is found where the closed form's torque would break one: the tasks give way, first the swing foot, then the trunk, the COM's height, and last its horizontal acceleration. With false torques are cut to their limits, and nothing else is kept. Default: True.
+                friction: Friction of the soles: tangential force per normal force that they can hold. Default: that of the soles in the model.
+                twist (twist_share): Moment about the vertical that a sole may give, as a share of what its friction holds while it turns about its centre. With more than 1 the foot turns a little where it must. Default: 1.0.
+                range_margin: How far from the ends of its range a joint comes to rest. Unit: rad. Default: 0.0.
+                range_rate: How fast a joint may still move towards the end of its range: it comes to rest there as a critically damped joint of this damping does. A small rate brakes early. Unit: 1/s. Default: 120 (0.276 s / T_c).
+            observer: What the controller finds out about what it does not know: steady forces, wrong masses, a biased attitude, noise. A dict, or ObserverSettings.
+                on (disturbance_observer): Whether the walk makes up for steady forces, wrong masses, and noise or bias of the measured attitude. A walk that knows everything keeps its bits. Default: True.
+                time (observer_time): Time constant with which a disturbance is found: an acceleration of the COM that the command does not explain. Where the measured speed is noisy, it grows up to four times. Unit: s. Default: 0.18 T_c.
+                speed_noise (observer_speed_noise): Change of the COM's speed from cycle to cycle that the command does not explain, as root of its mean square, up to which the speed counts as measured without noise. Unit: m/s. Default: 0.0092 sqrt(g z_c).
+                tolerance (observer_tolerance): A disturbance is made up for where it is larger than this, and less by this: contacts that give way a little are none. Unit: m/s^2. Default: 0.015 g.
+                force_most (observer_force_most): Most that is made up for of a steady horizontal disturbance, along either axis. Unit: m/s^2. Default: 0.13 g.
+                weight_most (observer_weight_most): Most that the robot is taken to be heavier or lighter than its model says, as a share of its mass. Default: 0.35.
+                push (observer_push): A horizontal disturbance that is larger than this is a push and not steady: what was found before it is held. Unit: m/s^2. Default: 0.16 g.
+                attitude_time: Time constant with which a noisy attitude of the base corrects the one that its angular velocity leads to. Unit: s. Default: 1.1 T_c.
+                attitude_noise: Angle between the measured attitude and the one that the angular velocity leads to from the cycle before, as root of its mean square, up to which the attitude is taken as it is measured. Unit: rad. Default: 0.001.
+                bias_time (attitude_bias_time): Time constant with which a bias of the measured attitude is found. Unit: s. Default: 1.8 T_c.
+                bias_most (attitude_bias_most): Most that is made up for of a bias of the measured attitude. Unit: rad. Default: 0.09.
+                sole_tilt (attitude_sole_tilt): Tilt of the standing sole from level that shows no bias yet: contacts give way a little. Unit: rad. Default: 0.004.
             fall: What counts as a fall, which ends the run. A dict, or FallSettings.
                 height (fall_height): The robot has fallen where its COM is less high over the support foot than this share of its height at the start. Default: 0.8.
                 tilt (fall_tilt): The robot has fallen where its trunk tilts by more than this. Unit: rad. Default: 0.8.
@@ -649,6 +721,7 @@ class WalkSettings:
         trunk: TrunkSettings | TrunkSettingsDict = ...,
         trunk_kp: float = ...,
         trunk_kd: float = ...,
+        trunk_yields: bool = ...,
         posture: PostureSettings | PostureSettingsDict = ...,
         posture_task: bool = ...,
         posture_kp: float = ...,
@@ -658,6 +731,8 @@ class WalkSettings:
         momentum_arms: float = ...,
         momentum_kp: float = ...,
         momentum_kd: float = ...,
+        arms_reserve: float = ...,
+        arms_reserve_time: float = ...,
         contact: ContactSettings | ContactSettingsDict = ...,
         wrench_distribution: bool = ...,
         load_alone: float = ...,
@@ -671,6 +746,25 @@ class WalkSettings:
         friction_velocity: float = ...,
         kernel: str = ...,
         torque_limits: typing.Mapping[str, float] = ...,
+        limits: LimitsSettings | LimitsSettingsDict = ...,
+        keep_limits: bool = ...,
+        friction: float = ...,
+        twist_share: float = ...,
+        range_margin: float = ...,
+        range_rate: float = ...,
+        observer: ObserverSettings | ObserverSettingsDict = ...,
+        disturbance_observer: bool = ...,
+        observer_time: float = ...,
+        observer_speed_noise: float = ...,
+        observer_tolerance: float = ...,
+        observer_force_most: float = ...,
+        observer_weight_most: float = ...,
+        observer_push: float = ...,
+        attitude_time: float = ...,
+        attitude_noise: float = ...,
+        attitude_bias_time: float = ...,
+        attitude_bias_most: float = ...,
+        attitude_sole_tilt: float = ...,
         fall: FallSettings | FallSettingsDict = ...,
         fall_height: float = ...,
         fall_tilt: float = ...,
@@ -746,6 +840,16 @@ class WalkSettings:
         """How the torque is computed, how often, and within which limits."""
     @control.setter
     def control(self, value: ControlSettings | ControlSettingsDict) -> None: ...
+    @property
+    def limits(self) -> LimitsSettings:
+        """What a torque must keep to: the joints' torques and ranges, and what the soles can hold."""
+    @limits.setter
+    def limits(self, value: LimitsSettings | LimitsSettingsDict) -> None: ...
+    @property
+    def observer(self) -> ObserverSettings:
+        """What the controller finds out about what it does not know: steady forces, wrong masses, a biased attitude, noise."""
+    @observer.setter
+    def observer(self, value: ObserverSettings | ObserverSettingsDict) -> None: ...
     @property
     def fall(self) -> FallSettings:
         """What counts as a fall, which ends the run."""
@@ -860,7 +964,7 @@ class WalkSettings:
     def foot_clearance(self, value: float) -> None: ...
     @property
     def foothold_reach(self) -> float:
-        """steps.shift: How far a tied foothold may be moved from its nominal place to keep the robot balanced. Unit: m. Default: 0.25 z_c."""
+        """steps.shift: How far a tied foothold may be moved from its nominal place to keep the robot balanced. A robot that has been pushed uses all its reach. Unit: m. Default: 0.25 z_c."""
     @foothold_reach.setter
     def foothold_reach(self, value: float) -> None: ...
     @property
@@ -890,7 +994,7 @@ class WalkSettings:
     def capture_speed(self, value: float) -> None: ...
     @property
     def step_timing(self) -> bool:
-        """steps.timing: Whether a robot that has been pushed changes the time of its step, uses the whole sole, and steps out of a stand to catch itself. It then needs room: lateral_reach=1.6 and foothold_reach of half the COM's height. Only with tied footsteps. Default: False."""
+        """steps.timing: Whether a robot that has been pushed changes the time of its step, uses the whole sole, and steps out of a stand to catch itself. Only with tied footsteps. Default: True."""
     @step_timing.setter
     def step_timing(self, value: bool) -> None: ...
     @property
@@ -935,7 +1039,7 @@ class WalkSettings:
     def swing_kd(self, value: float) -> None: ...
     @property
     def swing_ahead_acceleration(self) -> float:
-        """swing.ahead_acceleration: Acceleration, forward or backward, that a foothold may ask of the foot in the air beyond its way by itself. More would turn the standing foot on the ground. Unit: m/s^2. Default: 2 g."""
+        """swing.ahead_acceleration: Acceleration, forward or backward, that a foothold may ask of the foot in the air beyond its way by itself. More would turn the standing foot on the ground, and push the COM the other way. Unit: m/s^2. Default: 1.5 g."""
     @swing_ahead_acceleration.setter
     def swing_ahead_acceleration(self, value: float) -> None: ...
     @property
@@ -1055,7 +1159,7 @@ class WalkSettings:
     def lateral_law(self, value: typing.Literal["orbit", "paper"]) -> None: ...
     @property
     def lateral_reach(self) -> float:
-        """zmp.lateral_shift: Largest sideways shift of the reference ZMP that the lateral law may ask for, as a share of half the sole's width. Default: 0.4."""
+        """zmp.lateral_shift: Largest sideways shift of the reference ZMP that the lateral law may ask for, as a share of half the sole's width. Default: 1.6."""
     @lateral_reach.setter
     def lateral_reach(self, value: float) -> None: ...
     @property
@@ -1159,6 +1263,11 @@ class WalkSettings:
     @trunk_kd.setter
     def trunk_kd(self, value: float) -> None: ...
     @property
+    def trunk_yields(self) -> bool:
+        """trunk.yields: Whether the trunk of a robot that has been pushed comes back upright slowly. A trunk that is held stiffly takes the ZMP away from where it would hold the DCM (COM + T_c times its velocity), and turns the standing foot. Default: True."""
+    @trunk_yields.setter
+    def trunk_yields(self, value: bool) -> None: ...
+    @property
     def posture_task(self) -> bool:
         """posture.task: Whether the joints outside the legs are controlled. With false their motion is left to the torque of least norm. Default: True."""
     @posture_task.setter
@@ -1193,6 +1302,16 @@ class WalkSettings:
         """arms.kd: Rate at which swinging arms bring the robot's yaw momentum to zero. Unit: 1/s. Default: 20 (0.276 s / T_c)."""
     @momentum_kd.setter
     def momentum_kd(self, value: float) -> None: ...
+    @property
+    def arms_reserve(self) -> float:
+        """arms.reserve: Share of the yaw momentum that the arms cancel, where this is more than momentum, while the yaw friction of a sole holds the torque back, so that the foot does not spin. With 0 they never help. Default: 1.0."""
+    @arms_reserve.setter
+    def arms_reserve(self, value: float) -> None: ...
+    @property
+    def arms_reserve_time(self) -> float:
+        """arms.reserve_time: Time in which the arms return to their posture once the soles hold the yaw moment again. They come to help in a tenth of it. Unit: s. Default: 2 T_c."""
+    @arms_reserve_time.setter
+    def arms_reserve_time(self, value: float) -> None: ...
     @property
     def wrench_distribution(self) -> bool:
         """contact.wrench_distribution: Whether two standing feet share the load by the place of the ZMP between them. With false the torque of least norm decides, which ignores that feet cannot pull. Default: True."""
@@ -1248,6 +1367,91 @@ class WalkSettings:
         """control.torque_limits: Torque limits by joint name, in place of the robot's own. A motor still gives no more than the model lets through. Unit: N m. Default: {}."""
     @torque_limits.setter
     def torque_limits(self, value: typing.Mapping[str, float]) -> None: ...
+    @property
+    def keep_limits(self) -> bool:
+        """limits.keep: Whether the nearest torque that keeps the limits is found where the closed form's torque would break one: the tasks give way, first the swing foot, then the trunk, the COM's height, and last its horizontal acceleration. With false torques are cut to their limits, and nothing else is kept. Default: True."""
+    @keep_limits.setter
+    def keep_limits(self, value: bool) -> None: ...
+    @property
+    def friction(self) -> float:
+        """limits.friction: Friction of the soles: tangential force per normal force that they can hold. Default: that of the soles in the model."""
+    @friction.setter
+    def friction(self, value: float) -> None: ...
+    @property
+    def twist_share(self) -> float:
+        """limits.twist: Moment about the vertical that a sole may give, as a share of what its friction holds while it turns about its centre. With more than 1 the foot turns a little where it must. Default: 1.0."""
+    @twist_share.setter
+    def twist_share(self, value: float) -> None: ...
+    @property
+    def range_margin(self) -> float:
+        """limits.range_margin: How far from the ends of its range a joint comes to rest. Unit: rad. Default: 0.0."""
+    @range_margin.setter
+    def range_margin(self, value: float) -> None: ...
+    @property
+    def range_rate(self) -> float:
+        """limits.range_rate: How fast a joint may still move towards the end of its range: it comes to rest there as a critically damped joint of this damping does. A small rate brakes early. Unit: 1/s. Default: 120 (0.276 s / T_c)."""
+    @range_rate.setter
+    def range_rate(self, value: float) -> None: ...
+    @property
+    def disturbance_observer(self) -> bool:
+        """observer.on: Whether the walk makes up for steady forces, wrong masses, and noise or bias of the measured attitude. A walk that knows everything keeps its bits. Default: True."""
+    @disturbance_observer.setter
+    def disturbance_observer(self, value: bool) -> None: ...
+    @property
+    def observer_time(self) -> float:
+        """observer.time: Time constant with which a disturbance is found: an acceleration of the COM that the command does not explain. Where the measured speed is noisy, it grows up to four times. Unit: s. Default: 0.18 T_c."""
+    @observer_time.setter
+    def observer_time(self, value: float) -> None: ...
+    @property
+    def observer_speed_noise(self) -> float:
+        """observer.speed_noise: Change of the COM's speed from cycle to cycle that the command does not explain, as root of its mean square, up to which the speed counts as measured without noise. Unit: m/s. Default: 0.0092 sqrt(g z_c)."""
+    @observer_speed_noise.setter
+    def observer_speed_noise(self, value: float) -> None: ...
+    @property
+    def observer_tolerance(self) -> float:
+        """observer.tolerance: A disturbance is made up for where it is larger than this, and less by this: contacts that give way a little are none. Unit: m/s^2. Default: 0.015 g."""
+    @observer_tolerance.setter
+    def observer_tolerance(self, value: float) -> None: ...
+    @property
+    def observer_force_most(self) -> float:
+        """observer.force_most: Most that is made up for of a steady horizontal disturbance, along either axis. Unit: m/s^2. Default: 0.13 g."""
+    @observer_force_most.setter
+    def observer_force_most(self, value: float) -> None: ...
+    @property
+    def observer_weight_most(self) -> float:
+        """observer.weight_most: Most that the robot is taken to be heavier or lighter than its model says, as a share of its mass. Default: 0.35."""
+    @observer_weight_most.setter
+    def observer_weight_most(self, value: float) -> None: ...
+    @property
+    def observer_push(self) -> float:
+        """observer.push: A horizontal disturbance that is larger than this is a push and not steady: what was found before it is held. Unit: m/s^2. Default: 0.16 g."""
+    @observer_push.setter
+    def observer_push(self, value: float) -> None: ...
+    @property
+    def attitude_time(self) -> float:
+        """observer.attitude_time: Time constant with which a noisy attitude of the base corrects the one that its angular velocity leads to. Unit: s. Default: 1.1 T_c."""
+    @attitude_time.setter
+    def attitude_time(self, value: float) -> None: ...
+    @property
+    def attitude_noise(self) -> float:
+        """observer.attitude_noise: Angle between the measured attitude and the one that the angular velocity leads to from the cycle before, as root of its mean square, up to which the attitude is taken as it is measured. Unit: rad. Default: 0.001."""
+    @attitude_noise.setter
+    def attitude_noise(self, value: float) -> None: ...
+    @property
+    def attitude_bias_time(self) -> float:
+        """observer.bias_time: Time constant with which a bias of the measured attitude is found. Unit: s. Default: 1.8 T_c."""
+    @attitude_bias_time.setter
+    def attitude_bias_time(self, value: float) -> None: ...
+    @property
+    def attitude_bias_most(self) -> float:
+        """observer.bias_most: Most that is made up for of a bias of the measured attitude. Unit: rad. Default: 0.09."""
+    @attitude_bias_most.setter
+    def attitude_bias_most(self, value: float) -> None: ...
+    @property
+    def attitude_sole_tilt(self) -> float:
+        """observer.sole_tilt: Tilt of the standing sole from level that shows no bias yet: contacts give way a little. Unit: rad. Default: 0.004."""
+    @attitude_sole_tilt.setter
+    def attitude_sole_tilt(self, value: float) -> None: ...
     @property
     def fall_height(self) -> float:
         """fall.height: The robot has fallen where its COM is less high over the support foot than this share of its height at the start. Default: 0.8."""
@@ -1406,7 +1610,7 @@ class StepsSettings:
     def clearance(self, value: float) -> None: ...
     @property
     def shift(self) -> float:
-        """How far a tied foothold may be moved from its nominal place to keep the robot balanced. Unit: m. Default: 0.25 z_c."""
+        """How far a tied foothold may be moved from its nominal place to keep the robot balanced. A robot that has been pushed uses all its reach. Unit: m. Default: 0.25 z_c."""
     @shift.setter
     def shift(self, value: float) -> None: ...
     @property
@@ -1436,7 +1640,7 @@ class StepsSettings:
     def capture_speed(self, value: float) -> None: ...
     @property
     def timing(self) -> bool:
-        """Whether a robot that has been pushed changes the time of its step, uses the whole sole, and steps out of a stand to catch itself. It then needs room: lateral_reach=1.6 and foothold_reach of half the COM's height. Only with tied footsteps. Default: False."""
+        """Whether a robot that has been pushed changes the time of its step, uses the whole sole, and steps out of a stand to catch itself. Only with tied footsteps. Default: True."""
     @timing.setter
     def timing(self, value: bool) -> None: ...
     @property
@@ -1498,7 +1702,7 @@ class SwingSettings:
     def kd(self, value: float) -> None: ...
     @property
     def ahead_acceleration(self) -> float:
-        """Acceleration, forward or backward, that a foothold may ask of the foot in the air beyond its way by itself. More would turn the standing foot on the ground. Unit: m/s^2. Default: 2 g."""
+        """Acceleration, forward or backward, that a foothold may ask of the foot in the air beyond its way by itself. More would turn the standing foot on the ground, and push the COM the other way. Unit: m/s^2. Default: 1.5 g."""
     @ahead_acceleration.setter
     def ahead_acceleration(self, value: float) -> None: ...
     @property
@@ -1652,7 +1856,7 @@ class ZmpSettings:
     def lateral_law(self, value: typing.Literal["orbit", "paper"]) -> None: ...
     @property
     def lateral_shift(self) -> float:
-        """Largest sideways shift of the reference ZMP that the lateral law may ask for, as a share of half the sole's width. Default: 0.4."""
+        """Largest sideways shift of the reference ZMP that the lateral law may ask for, as a share of half the sole's width. Default: 1.6."""
     @lateral_shift.setter
     def lateral_shift(self, value: float) -> None: ...
     @property
@@ -1806,6 +2010,11 @@ class TrunkSettings:
         """Damping of the trunk's orientation: angular acceleration per error of angular velocity. Unit: 1/s. Default: 35 (0.276 s / T_c)."""
     @kd.setter
     def kd(self, value: float) -> None: ...
+    @property
+    def yields(self) -> bool:
+        """Whether the trunk of a robot that has been pushed comes back upright slowly. A trunk that is held stiffly takes the ZMP away from where it would hold the DCM (COM + T_c times its velocity), and turns the standing foot. Default: True."""
+    @yields.setter
+    def yields(self, value: bool) -> None: ...
 
 class PostureSettings:
     """
@@ -1875,6 +2084,16 @@ class ArmsSettings:
         """Rate at which swinging arms bring the robot's yaw momentum to zero. Unit: 1/s. Default: 20 (0.276 s / T_c)."""
     @kd.setter
     def kd(self, value: float) -> None: ...
+    @property
+    def reserve(self) -> float:
+        """Share of the yaw momentum that the arms cancel, where this is more than momentum, while the yaw friction of a sole holds the torque back, so that the foot does not spin. With 0 they never help. Default: 1.0."""
+    @reserve.setter
+    def reserve(self, value: float) -> None: ...
+    @property
+    def reserve_time(self) -> float:
+        """Time in which the arms return to their posture once the soles hold the yaw moment again. They come to help in a tenth of it. Unit: s. Default: 2 T_c."""
+    @reserve_time.setter
+    def reserve_time(self, value: float) -> None: ...
 
 class ContactSettings:
     """
@@ -1964,6 +2183,125 @@ class ControlSettings:
         """Torque limits by joint name, in place of the robot's own. A motor still gives no more than the model lets through. Unit: N m. Default: {}."""
     @torque_limits.setter
     def torque_limits(self, value: typing.Mapping[str, float]) -> None: ...
+
+class LimitsSettings:
+    """
+    What a torque must keep to: the joints' torques and ranges, and what the soles can hold.
+    """
+
+    __hash__: typing.ClassVar[None] = None
+    def __copy__(self) -> LimitsSettings: ...
+    def __deepcopy__(self, arg0: dict) -> LimitsSettings: ...
+    def __eq__(self, arg0: LimitsSettings) -> bool: ...
+    def __getstate__(self) -> dict: ...
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: dict) -> None: ...
+    def to_dict(self) -> dict:
+        """
+        The group's settings by name, as plain Python values.
+        """
+    @property
+    def keep(self) -> bool:
+        """Whether the nearest torque that keeps the limits is found where the closed form's torque would break one: the tasks give way, first the swing foot, then the trunk, the COM's height, and last its horizontal acceleration. With false torques are cut to their limits, and nothing else is kept. Default: True."""
+    @keep.setter
+    def keep(self, value: bool) -> None: ...
+    @property
+    def friction(self) -> float:
+        """Friction of the soles: tangential force per normal force that they can hold. Default: that of the soles in the model."""
+    @friction.setter
+    def friction(self, value: float) -> None: ...
+    @property
+    def twist(self) -> float:
+        """Moment about the vertical that a sole may give, as a share of what its friction holds while it turns about its centre. With more than 1 the foot turns a little where it must. Default: 1.0."""
+    @twist.setter
+    def twist(self, value: float) -> None: ...
+    @property
+    def range_margin(self) -> float:
+        """How far from the ends of its range a joint comes to rest. Unit: rad. Default: 0.0."""
+    @range_margin.setter
+    def range_margin(self, value: float) -> None: ...
+    @property
+    def range_rate(self) -> float:
+        """How fast a joint may still move towards the end of its range: it comes to rest there as a critically damped joint of this damping does. A small rate brakes early. Unit: 1/s. Default: 120 (0.276 s / T_c)."""
+    @range_rate.setter
+    def range_rate(self, value: float) -> None: ...
+
+class ObserverSettings:
+    """
+    What the controller finds out about what it does not know: steady forces, wrong masses, a biased attitude, noise.
+    """
+
+    __hash__: typing.ClassVar[None] = None
+    def __copy__(self) -> ObserverSettings: ...
+    def __deepcopy__(self, arg0: dict) -> ObserverSettings: ...
+    def __eq__(self, arg0: ObserverSettings) -> bool: ...
+    def __getstate__(self) -> dict: ...
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: dict) -> None: ...
+    def to_dict(self) -> dict:
+        """
+        The group's settings by name, as plain Python values.
+        """
+    @property
+    def on(self) -> bool:
+        """Whether the walk makes up for steady forces, wrong masses, and noise or bias of the measured attitude. A walk that knows everything keeps its bits. Default: True."""
+    @on.setter
+    def on(self, value: bool) -> None: ...
+    @property
+    def time(self) -> float:
+        """Time constant with which a disturbance is found: an acceleration of the COM that the command does not explain. Where the measured speed is noisy, it grows up to four times. Unit: s. Default: 0.18 T_c."""
+    @time.setter
+    def time(self, value: float) -> None: ...
+    @property
+    def speed_noise(self) -> float:
+        """Change of the COM's speed from cycle to cycle that the command does not explain, as root of its mean square, up to which the speed counts as measured without noise. Unit: m/s. Default: 0.0092 sqrt(g z_c)."""
+    @speed_noise.setter
+    def speed_noise(self, value: float) -> None: ...
+    @property
+    def tolerance(self) -> float:
+        """A disturbance is made up for where it is larger than this, and less by this: contacts that give way a little are none. Unit: m/s^2. Default: 0.015 g."""
+    @tolerance.setter
+    def tolerance(self, value: float) -> None: ...
+    @property
+    def force_most(self) -> float:
+        """Most that is made up for of a steady horizontal disturbance, along either axis. Unit: m/s^2. Default: 0.13 g."""
+    @force_most.setter
+    def force_most(self, value: float) -> None: ...
+    @property
+    def weight_most(self) -> float:
+        """Most that the robot is taken to be heavier or lighter than its model says, as a share of its mass. Default: 0.35."""
+    @weight_most.setter
+    def weight_most(self, value: float) -> None: ...
+    @property
+    def push(self) -> float:
+        """A horizontal disturbance that is larger than this is a push and not steady: what was found before it is held. Unit: m/s^2. Default: 0.16 g."""
+    @push.setter
+    def push(self, value: float) -> None: ...
+    @property
+    def attitude_time(self) -> float:
+        """Time constant with which a noisy attitude of the base corrects the one that its angular velocity leads to. Unit: s. Default: 1.1 T_c."""
+    @attitude_time.setter
+    def attitude_time(self, value: float) -> None: ...
+    @property
+    def attitude_noise(self) -> float:
+        """Angle between the measured attitude and the one that the angular velocity leads to from the cycle before, as root of its mean square, up to which the attitude is taken as it is measured. Unit: rad. Default: 0.001."""
+    @attitude_noise.setter
+    def attitude_noise(self, value: float) -> None: ...
+    @property
+    def bias_time(self) -> float:
+        """Time constant with which a bias of the measured attitude is found. Unit: s. Default: 1.8 T_c."""
+    @bias_time.setter
+    def bias_time(self, value: float) -> None: ...
+    @property
+    def bias_most(self) -> float:
+        """Most that is made up for of a bias of the measured attitude. Unit: rad. Default: 0.09."""
+    @bias_most.setter
+    def bias_most(self, value: float) -> None: ...
+    @property
+    def sole_tilt(self) -> float:
+        """Tilt of the standing sole from level that shows no bias yet: contacts give way a little. Unit: rad. Default: 0.004."""
+    @sole_tilt.setter
+    def sole_tilt(self, value: float) -> None: ...
 
 class FallSettings:
     """
@@ -3544,6 +3882,13 @@ class CycleOutput:
         Whether the robot stands and is not asked to walk.
         """
     @property
+    def attitude_bias(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        """
+        Rotation vector of the bias that was found in the measured attitude and is taken out of it.
+
+        (3,): x y z [rad], frame B.
+        """
+    @property
     def com(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
         Measured position of the centre of mass (COM).
@@ -3582,6 +3927,13 @@ class CycleOutput:
         Velocity of the COM that the next cycle should find; eq. (16) gives its x and y.
 
         (3,): x y z [m/s], frame W.
+        """
+    @property
+    def disturbance(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        """
+        Steady acceleration of the COM that the command does not explain and that is made up for: x and y as a force, z as a mass that differs from the model's.
+
+        (3,): x y z [m/s^2], frame W.
         """
     @property
     def f_c(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[12, 1]"]:
@@ -3639,6 +3991,21 @@ class CycleOutput:
         Number of passes of III-B; it is 0 where the ZMP is left alone.
         """
     @property
+    def limit_ranges(self) -> int:
+        """
+        Joints whose range held the torque back, as a sum: 2^j for joint j, from 0 on.
+        """
+    @property
+    def limit_soles(self) -> int:
+        """
+        Limits of the soles that held the torque back, as a sum: 1 load, 2 friction, 4 centre of pressure, 8 yaw friction of the left sole, and 16 times these of the right one.
+        """
+    @property
+    def limit_torques(self) -> int:
+        """
+        Joints whose torque limit held the torque back, as a sum: 2^j for joint j, from 0 on.
+        """
+    @property
     def phase(self) -> int:
         """
         Phase of the step: 0 is double support, 1 is single support.
@@ -3653,7 +4020,7 @@ class CycleOutput:
     @property
     def saturated(self) -> bool:
         """
-        Whether a torque was cut to its limit.
+        Whether a torque was cut to its limit, because no motion keeps the limits or because keep_limits is off.
         """
     @property
     def step(self) -> int:
@@ -3682,7 +4049,7 @@ class CycleOutput:
     @property
     def torque_ratio(self) -> float:
         """
-        Largest ratio of a joint's torque to its limit, before torques are cut to their limits.
+        Largest ratio of a joint's torque to its limit, before limits are kept or torques cut.
         """
     @property
     def v_des(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
@@ -3945,6 +4312,11 @@ class WalkingController:
     def Tc(self) -> float:
         """
         time constant of the pendulum, sqrt(z_c / g) [s]
+        """
+    @property
+    def active_limits(self) -> list[str]:
+        """
+        the limits that held the last torque back, in words: ["torque of l_knee", "yaw friction of the left sole"]; empty where none did
         """
     @property
     def arm_joints(self) -> list[str]:
@@ -4274,7 +4646,7 @@ def build_info() -> dict:
     How this copy was built, and what it runs here.
 
     Returns:
-        dict: version, mujoco (compiled against), compiler, kernels (builds of the inner loops that this processor runs),
+        dict: version, mujoco (connected with), compiler, kernels (builds of the inner loops that this processor runs),
         kernel (the one that 'auto' takes).
 
     Usage:
@@ -4293,6 +4665,16 @@ def common_plane(feet: typing.Annotated[collections.abc.Sequence[Contact], "Fixe
 
     Raises:
         InputError: support is neither.
+    """
+
+def connect(adapter: str, libmujoco: str, version: str) -> None:
+    """
+    Connects the core with MuJoCo; `import zmpwalk` calls it. Later calls change nothing.
+
+    Args:
+        adapter: file of the adapter for this version.
+        libmujoco: file of MuJoCo's library.
+        version: of MuJoCo.
     """
 
 def describe(model: typing.Any) -> RobotDescription:
@@ -4367,7 +4749,7 @@ def model_reasons(model: typing.Any, robot: RobotParts, upright: typing.Any = No
 
 def mujoco_version() -> str:
     """
-    MuJoCo version this module was compiled against.
+    MuJoCo version that the core is connected with; empty without one.
     """
 
 def pd_acceleration(
@@ -4383,6 +4765,14 @@ def pd_acceleration(
 def recorded_columns() -> list[RecordedColumn]:
     """
     The table of everything that is recorded, in the order of the record.
+    """
+
+def seen(model: typing.Any, data: typing.Any) -> dict:
+    """
+    What the core sees of a model and its data, to be compared with what the mujoco package shows.
+
+    Returns:
+        dict: numbers by name; model and data, addresses of arrays by name; time; contacts, (geom, geom, position).
     """
 
 def simulate(

@@ -102,9 +102,9 @@ BOOST_AUTO_TEST_CASE(a_wrong_name_is_answered_with_the_nearest) {
   answer("T_sss", "did you mean gait.T_ss?");
   answer("threshold", "did you mean zmp.threshold (zmp_threshold)?");
   answer("trakcing", "did you mean the group tracking?");
-  answer(
-      "colour_of_the_robot",
-      "the groups are gait, steps, swing, com, zmp, tracking, rate, trunk, posture, arms, contact, control, limits, observer and fall");
+  answer("colour_of_the_robot",
+         "the groups are gait, steps, swing, com, zmp, tracking, rate, trunk, posture, arms, contact, control, limits, "
+         "observer and fall");
 }
 
 BOOST_AUTO_TEST_CASE(settings_that_break_a_rule_are_refused_with_name_value_and_rule) {

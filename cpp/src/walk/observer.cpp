@@ -58,9 +58,9 @@ void DisturbanceObserver::update(const Vec3& dcom, bool frozen) {
   square_ += (unexplained.squaredNorm() - square_) * std::min(dt_ / (kNoiseTime * time_), 1.0);
   const double time = time_ * std::clamp(std::sqrt(square_ / 3.0) / speed_noise_, 1.0, kSlowest);
   passing_ += unexplained / std::max(time, dt_);
-  if (passing_.head<2>().norm() > push_) {
-    found_ = calm_;  // what its beginning has added is no steady disturbance
-    held_ = kHold * time;
+  if (passing_.head<2>().norm() > push_ * time / time_) {  // what passes is more even where it is averaged for longer
+    found_ = calm_;  // what the push's beginning has added is no steady disturbance
+    held_ = kHold * time_;
   } else if (held_ > 0.0) {
     held_ -= dt_;
   } else if (!frozen) {

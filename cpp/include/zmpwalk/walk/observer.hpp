@@ -39,9 +39,9 @@ class DisturbanceObserver {
   double dt_, time_, speed_noise_, tolerance_, force_most_, weight_most_, push_, gravity_;
   Vec3 last_ = Vec3::Zero(), commanded_ = Vec3::Zero();
   Vec3 passing_ = Vec3::Zero(), found_ = Vec3::Zero(), made_up_for_ = Vec3::Zero();
-  double square_ = 0.0;         // mean of (e - p dt)^2, of three axes
-  Vec3 calm_ = Vec3::Zero();    // found before the last push
-  double held_ = 0.0;           // time for which that push is still waited for to pass [s]
+  double square_ = 0.0;       // mean of (e - p dt)^2, of three axes
+  Vec3 calm_ = Vec3::Zero();  // found before the last push
+  double held_ = 0.0;         // time for which that push is still waited for to pass [s]
 };
 
 /// Takes noise and bias out of the measured attitude of the base.

@@ -144,7 +144,8 @@ void visit_columns(Visitor&& v) {
     "Wrench of the robot on the ground that MuJoCo's contacts gave under each foot, at the centre of its sole; a foot"
     " without contact has NaN.");
   v("disturbance", &Out::disturbance, kXyz, "m/s^2", "W",
-    "Steady acceleration of the COM that the command does not explain and that is made up for: x and y as a force, z as "
+    "Steady acceleration of the COM that the command does not explain and that is made up for: x and y as a force, z "
+    "as "
     "a mass that differs from the model's.");
   v("attitude_bias", &Out::attitude_bias, kXyz, "rad", "B",
     "Rotation vector of the bias that was found in the measured attitude and is taken out of it.");
