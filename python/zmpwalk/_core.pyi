@@ -4340,7 +4340,7 @@ class WalkingController:
     @property
     def mass(self) -> float:
         """
-        mass of the robot [kg]
+        mass of the robot [kg]: that of the model, and as a walk finds it to be (`observer`)
         """
     @property
     def motion(self) -> JointMotion: ...

@@ -88,8 +88,8 @@ def test_what_the_step_shows_is_measured_and_not_decided(cycles):
 @pytest.mark.parametrize("column", COLUMNS, ids=lambda column: column.name)
 def test_meaning_is_a_sentence_with_unit_and_frame_in_the_words_of_notation(column):
     assert re.fullmatch(r"[A-Z].{15,}[^.]\.", column.meaning)
-    assert column.frame in ("", "W", "H", "S")
-    assert set(re.split(", | or ", column.unit)) <= {"", "m", "m/s", "rad", "rad/s", "s", "N", "N m"}
+    assert column.frame in ("", "W", "H", "S", "B")
+    assert set(re.split(", | or ", column.unit)) <= {"", "m", "m/s", "m/s^2", "rad", "rad/s", "s", "N", "N m"}
     assert not hasattr(Trace, column.name), "an attribute of Trace hides the column"
 
 

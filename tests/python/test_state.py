@@ -78,7 +78,9 @@ def test_a_controller_whose_model_is_off_by_a_tenth_in_mass_walks(walker, factor
         out = controller.update(data)
         assert not out.fell, out.fall_cause
         mujoco.mj_step(model, data)
-    assert controller.mass == pytest.approx(factor * model.body_subtreemass[1])
+    # What is left of the error is what the observer does not count.
+    true = model.body_subtreemass[1]
+    assert abs(controller.mass / true - 1.0) < 0.025
     assert out.com[0] == pytest.approx(0.25 * 7.0, abs=0.1)
 
 

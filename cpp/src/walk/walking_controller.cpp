@@ -356,7 +356,7 @@ void WalkingController::command_tasks(const Cycle& cycle) {
   trunk_task_.turn = turning(body_.at(n), body_.at(n + 1), body_.at(n + 2));
   Mat3 R_WH = Mat3::Identity();
   R_WH.topLeftCorner<2, 2>() = cycle.R_WH;
-  soften_trunk(gait.urgency);
+  soften_trunk(gait.urgency, R_WH);
   f_star_.trunk = trunk_task_.acceleration(dyn, R_WH, gait.v_plan.z());
   posture_task_.q = ref.q().head(n);
   posture_task_.dq = ref.dq().head(n);
@@ -372,7 +372,7 @@ void WalkingController::command_tasks(const Cycle& cycle) {
   f_star_.swing = foot_task_.acceleration(dyn);
 }
 
-void WalkingController::soften_trunk(double urgency) {
+void WalkingController::soften_trunk(double urgency, const Mat3& R_WH) {
   if (!settings_.trunk.yields) return;
   // Times in T_c, so that every robot yields as the one for which they were found.
   constexpr double kRate = 0.55, kMost = 0.23, kHold = 3.6;
@@ -381,7 +381,13 @@ void WalkingController::soften_trunk(double urgency) {
   TrunkTask& trunk = trunk_task_;
   trunk.soft_rate = kRate / Tc;
   trunk.soft_most = kMost / (Tc * Tc);
-  trunk.softness = std::max(urgency, trunk.softness * (1.0 - settings_.control.dt / (kHold * Tc)));
+  // Stiff gains would throw back a trunk that is still turned.
+  constexpr double kUpright = 0.05;  // [rad]
+  const bool back = trunk.softness == 0.0 || trunk.error(robot_.dynamics(), R_WH).norm() < kUpright;
+  const double left = back ? trunk.softness * (1.0 - settings_.control.dt / (kHold * Tc)) : trunk.softness;
+  // A force that goes on would tip a soft trunk over.
+  const bool steady = !observer_.made_up_for().head<2>().isZero(0.0);
+  trunk.softness = steady ? left : std::max(urgency, left);
   if (trunk.softness < kNone) trunk.softness = 0.0;
 }
 

@@ -142,7 +142,7 @@ class WalkingController {
   void follow_pendulum();  // gait and reference take that of the COM's height and of the known forces
   void command_tasks(const Cycle& cycle);
   // A robot that has been pushed does not hold its trunk upright at once: that would take the ZMP that holds the DCM.
-  void soften_trunk(double urgency);
+  void soften_trunk(double urgency, const Mat3& R_WH);
   void decide_reference(const Cycle& cycle);
   // That of the ground and of known forces on the robot, W [N].
   Vec2 horizontal_force(const Dynamics& dyn, const std::array<bool, 2>& standing) const;
