@@ -95,7 +95,7 @@ def measure(trace, start=0.0):
         "median": np.nanmedian(error, axis=0) if rows.any() else np.full(2, np.nan),
         "p95": np.nanpercentile(error, 95, axis=0) if rows.any() else np.full(2, np.nan),
         "torque": 100 * float(trace.torque_ratio.max()),
-        "saturated": int(trace.saturated.sum()),
+        "saturated": int((trace.torque_ratio > 1.0).sum()),
         "self_contacts": int((trace.self_contacts > 0).sum()),
         "velocity": np.full(3, np.nan),
         "period": math.nan,

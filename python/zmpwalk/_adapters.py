@@ -154,8 +154,8 @@ def _order(version: str) -> tuple[int, ...]:
 
 def _sources() -> tuple[Path, Path]:
     """The adapter's source and the folder of the header that it includes, in the package or in the source tree."""
-    tree = PACKAGE.parents[1] / "cpp"
-    for source, include in ((OWN / "adapter.cpp", OWN), (tree / "adapter" / "adapter.cpp", tree / "include")):
+    own, tree = PACKAGE / "adapters", PACKAGE.parents[1] / "cpp"
+    for source, include in ((own / "adapter.cpp", own), (tree / "adapter" / "adapter.cpp", tree / "include")):
         if source.is_file():
             return source, include
     raise InputError("this copy of zmpwalk has no source of the adapter (adapter.cpp)")
