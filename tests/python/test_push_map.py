@@ -8,8 +8,8 @@ import zmpwalk
 
 # Impulses that the robot bears at 0.25 m/s in directions 0, 45, ..., 315 degrees, worst phase [N s/kg].
 BORNE = {
-    "single": [0.22, 0.17, 0.12, 0.17, 0.31, 0.26, 0.18, 0.26],
-    "double": [0.37, 0.30, 0.34, 0.48, 0.24, 0.18, 0.13, 0.18],
+    "single": [0.36, 0.31, 0.24, 0.33, 0.48, 0.38, 0.36, 0.44],
+    "double": [0.48, 0.50, 0.68, 0.66, 0.44, 0.31, 0.23, 0.31],
 }
 
 
