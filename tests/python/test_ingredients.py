@@ -113,10 +113,13 @@ def test_computed_first_double_support_starts_the_orbit():
 # --- what (8) is given
 
 
-def test_measured_state_without_feed_forward_falls_within_a_second():
-    """(16) from the measured state is one cycle ahead, so (8) asks for k_d dt of what is wanted."""
-    setting = {"tracker": "bang_bang", "bound_lateral": False}
-    assert_falls(walk(feed_forward=False, **setting), before=1.0)
+def test_measured_state_without_feed_forward_falls_within_half_a_second():
+    """(16) from the measured state is one cycle ahead, so (8) asks for k_d dt of what is wanted.
+
+    Torques are cut here: where limits are kept, they hold the robot up a little longer.
+    """
+    setting = {"tracker": "bang_bang", "bound_lateral": False, "keep_limits": False}
+    assert_falls(walk(feed_forward=False, **setting), before=0.5)
     assert walk(2.0, **setting).meta["fell"] is False  # the same with feed-forward is still up then
     assert_stands(walk(law="paper"))  # and so is the desired state without it
 

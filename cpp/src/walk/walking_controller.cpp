@@ -373,7 +373,7 @@ void WalkingController::command_tasks(const Cycle& cycle) {
 }
 
 void WalkingController::soften_trunk(double urgency, const Mat3& R_WH) {
-  if (!settings_.trunk.yields) return;
+  if (!settings_.trunk.yields || (urgency == 0.0 && trunk_task_.softness == 0.0)) return;
   // Times in T_c, so that every robot yields as the one for which they were found.
   constexpr double kRate = 0.55, kMost = 0.23, kHold = 3.6;
   constexpr double kNone = 1e-4;  // what is left of the softness is not worth a blend

@@ -38,8 +38,8 @@ struct StepWeights {
 /// Chooses when the swing foot lands, from the DCM, so that the DCM can be held over the foot that has landed.
 ///
 /// Under a ZMP r the DCM goes to xi_end = r + (xi - r) exp(s / T_c) until the landed foot takes over, s from now. For r within its bounds that is
-/// an interval; footholds within reach plus the planned offset are another. Where the two do not meet, their gap, less what the next foot gives, is what the DCM will
-/// miss. The best time has the least  gap_x^2 + gap_y^2 + w_place moved^2 + w_time (t - planned)^2.  In a walk that nothing disturbs that
+/// an interval; footholds within reach plus the planned offset are another. Where the two do not meet, their gap, less what the next foot gives, is
+/// what the DCM will miss. The best time has the least  gap_x^2 + gap_y^2 + w_place moved^2 + w_time (t - planned)^2.  In a walk that nothing disturbs that
 /// is zero at the planned time, which then stays.
 class StepAdjustment {
  public:

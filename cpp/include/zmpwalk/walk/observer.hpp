@@ -11,8 +11,8 @@ namespace zmpwalk {
 ///
 /// A robot that is told the acceleration f, with d_c of it to make up for d, accelerates by f - d_c + d. With e = dv - (f - d_c) dt, what the
 /// COM's speed changes by beyond the command, two low-passes in a row give d: p += (e - p dt) / T, and d += (p - d) dt / T. Where p is that of a push,
-/// d goes back to what it was before, and waits until the push has passed. T is the setting `observer.time`, and up to four times as much where the measured speed is noisy: then the root mean square of
-/// e - p dt tells by how much.
+/// d goes back to what it was before, and waits until the push has passed. T is the setting `observer.time`, and up to four times as much where the
+/// measured speed is noisy: then the root mean square of e - p dt tells by how much.
 ///
 /// Of d, what is beyond `observer.tolerance` counts, up to a bound. The horizontal part counts as a force at the COM. The vertical part counts as
 /// a mass 1 - d_z / g times the model's; so a COM that is too low or too high comes back to its height, and the pendulum keeps its T_c.
@@ -59,7 +59,8 @@ class AttitudeObserver {
 
   /// @param R_WB measured rotation of the base
   void reset(const Mat3& R_WB);
-  /// Takes the measured attitude, quaternion (w, x, y, z), and angular velocity [rad/s], base axes, and puts what the base's attitude is believed to be in place of the first.
+  /// Takes the measured attitude, quaternion (w, x, y, z), and angular velocity [rad/s], base axes, and puts what the base's attitude is believed to
+  /// be in place of the first.
   /// Returns false where that is the measured one, to the bit. Allocates nothing.
   bool correct(Eigen::Ref<Vec4> quaternion, const Vec3& omega);
   /// Looks for the bias. @param R_WB as believed   @param sole_normal  of the foot that stands alone, W   @param acceleration  found by the
