@@ -9,10 +9,12 @@ from typing import Any, Tuple, Union
 import mujoco
 
 from .._core import RobotDescription
-from ..errors import InputError, ModelError
+from ..errors import InputError
 from .description import description_from_dict, model_file, read_description, read_json, renamed
 from .menagerie import PREFIX, menagerie_file
+from .mjcf import read_model
 from .proposal import Proposal, appraise, describe, propose
+from .source import remember
 from .urdf import read_urdf
 
 __all__ = ["ROBOTS", "Robot", "available_robots", "examine", "load_robot", "read_robot", "robot_file"]
@@ -119,7 +121,8 @@ def read_robot(robot: Robot) -> tuple[mujoco.MjModel, RobotDescription | None, s
             description = description or description_from_dict(plain, str(path))
             path = model_file(plain, path)
         name = str(robot)[len(PREFIX) :].partition("/")[0] if str(robot).startswith(PREFIX) else path.stem
-        model = _load_xml(path)
+        model = read_model(path)
+        remember(model, path)
     else:
         raise InputError(
             f"a robot is a name, a path, a model or a pair (model, description), not {type(robot).__name__}"
@@ -166,14 +169,3 @@ def _said_of_urdf(robot: Robot) -> list[str]:
     """What was added to a URDF so that it can walk."""
     is_path = isinstance(robot, (str, os.PathLike)) and Path(robot).suffix.lower() == ".urdf"
     return read_urdf(Path(robot).expanduser())[1] if is_path else []  # type: ignore[arg-type]
-
-
-def _load_xml(path: Path) -> mujoco.MjModel:
-    if not path.is_file():
-        raise InputError(f"{path}: no such file")
-    if path.suffix.lower() == ".urdf":
-        return read_urdf(path)[0]
-    try:
-        return mujoco.MjModel.from_xml_path(str(path))
-    except Exception as error:  # MuJoCo raises ValueError, or its own FatalError
-        raise ModelError(f"{path}: MuJoCo cannot load it: {' '.join(str(error).split())}") from None
