@@ -14,6 +14,7 @@ from .description import description_from_dict, model_file, read_description, re
 from .menagerie import PREFIX, menagerie_file
 from .mjcf import read_model
 from .proposal import Proposal, appraise, describe, propose
+from .robot_descriptions import DESCRIPTIONS_PREFIX, described_file
 from .source import remember
 from .urdf import read_urdf
 
@@ -51,6 +52,7 @@ def load_robot(robot: Robot) -> tuple[mujoco.MjModel, RobotDescription]:
             - a path to a `robot.json` (or the folder that holds one): its "scene" is loaded, or its "model" where it
               has no scene;
             - "menagerie:NAME", a robot of MuJoCo Menagerie (see `zmpwalk.robots.menagerie`);
+            - "robot_descriptions:NAME", a robot of the package robot_descriptions;
             - a path to an MJCF (`.xml`, `.mjcf`) or a `.urdf`, or an `MjModel`, in which `describe` finds a robot;
             - a pair (path of a model or `MjModel`, `RobotDescription` or `robot.json` path or None).
 
@@ -120,7 +122,7 @@ def read_robot(robot: Robot) -> tuple[mujoco.MjModel, RobotDescription | None, s
             plain = read_json(path)
             description = description or description_from_dict(plain, str(path))
             path = model_file(plain, path)
-        name = str(robot)[len(PREFIX) :].partition("/")[0] if str(robot).startswith(PREFIX) else path.stem
+        name = _name_of(str(robot), path)
         model = read_model(path)
         remember(model, path)
     else:
@@ -144,12 +146,20 @@ def robot_file(robot: str | os.PathLike) -> Path:
     return model_file(read_json(path), path)
 
 
+def _name_of(robot: str, path: Path) -> str:
+    """What the robot at `path`, given as `robot`, is called."""
+    collection, _, name = robot.partition(":")
+    return name.partition("/")[0] if f"{collection}:" in (PREFIX, DESCRIPTIONS_PREFIX) else path.stem
+
+
 def _find(robot: str | os.PathLike) -> Path:
     bundled = _bundled()
     if robot in bundled:
         return bundled[str(robot)]
     if str(robot).startswith(PREFIX):
         return menagerie_file(str(robot))
+    if str(robot).startswith(DESCRIPTIONS_PREFIX):
+        return described_file(str(robot))
     path = Path(robot).expanduser()
     if path.is_dir() and (path / "robot.json").is_file():
         return path / "robot.json"
