@@ -113,12 +113,21 @@ $(B)/test.stamp: $(B)/base.stamp
 $(B)/dev.stamp: $(B)/test.stamp
 	$(call install_requirements,reference test lint)
 
+# The core holds no Python and no MuJoCo: one serves every Python here, and another, with heap watch and assertions on, all
+# C++ tests. A folder that was moved, or another compiler, starts anew.
+CORE := build/core
+configure_core = cmake -S . -B $(CORE)/$(1) -G Ninja -DPython_EXECUTABLE=$(PY) -DZMPWALK_BUILD_PYTHON=OFF $(2) >$(B)/configure-$(1).log 2>&1
+build_core = { $(configure_core) || { rm -rf $(CORE)/$(1); $(configure_core); } || { cat $(B)/configure-$(1).log >&2; exit 1; }; } && \
+	cmake --build $(CORE)/$(1) --target zmpwalk_core
+as_core = -DZMPWALK_CORE=$(CURDIR)/$(CORE)/$(1)/libzmpwalk_core.a
+
 # Not editable: the tests meet what a user gets, so that a file missing from the package fails here. The build folder is
 # kept, so that only what changed is compiled.
 $(B)/installed.stamp: $(B)/base.stamp $(SOURCES)
 	@echo '-- building and installing zmpwalk'
-	@$(PIP) install --no-build-isolation --no-deps --force-reinstall --config-settings=build-dir=$(B)/extension . \
-		$(call QUIETLY,install)
+	@$(call build_core,release) $(call QUIETLY,core)
+	@$(PIP) install --no-build-isolation --no-deps --force-reinstall --config-settings=build-dir=$(B)/extension \
+		--config-settings=cmake.define.ZMPWALK_CORE=$(CURDIR)/$(CORE)/release/libzmpwalk_core.a . $(call QUIETLY,install)
 	@touch $@
 
 # ---- demo
@@ -143,7 +152,7 @@ SMOKE := 2.3.7 3.1.6 3.3.7 3.8.1 3.17.0
 smoke: $(B)/test.stamp $(B)/installed.stamp
 	@MPLBACKEND=Agg $(PY) packaging/smoke.py $(B)/smoke $(SMOKE)
 
-# The core is compiled once more, with its heap watch and assertions on, against the same MuJoCo.
+# The tests meet a core with heap watch and assertions on, and the same MuJoCo.
 configure_tests = cmake -S . -B $(B)/$(1) -G Ninja -DPython_EXECUTABLE=$(PY) -DZMPWALK_BUILD_PYTHON=OFF \
 	-DZMPWALK_BUILD_TESTS=ON -DZMPWALK_WERROR=$(WERROR) $(2) $(call QUIETLY,configure-$(1))
 run_ctest = cd $(B)/$(1) && ctest --output-on-failure --no-tests=error --timeout $(2) -j $(JOBS) $(CTEST_ARGS)
@@ -153,7 +162,8 @@ ctest:
 	@echo 'ctest did not start' >$(B)/ctest.log
 	@$(AGAIN) $(B)/test.stamp
 	@echo '-- building the C++ tests'
-	@$(call configure_tests,cpp)
+	@$(call build_core,tests,-DZMPWALK_BUILD_TESTS=ON -DZMPWALK_WERROR=$(WERROR))
+	@$(call configure_tests,cpp,$(call as_core,tests))
 	@cmake --build $(B)/cpp
 	@set -o pipefail; ($(call run_ctest,cpp,600)) 2>&1 | tee $(B)/ctest.log
 

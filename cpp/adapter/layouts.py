@@ -28,7 +28,10 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 LAYOUTS = HERE.parents[1] / "python" / "zmpwalk" / "adapters" / "layouts.json"
-COMPILE = ["-std=c++17", "-O2", "-g0", "-fPIC", "-fvisibility=hidden", "-w", "-I", str(HERE.parent / "include")]
+# Without debugging records, which name the folder; an adapter needs nothing of the C++ library.
+COMPILE = ["-std=c++17", "-O2", "-g0", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics", "-fPIC"]
+COMPILE += ["-fvisibility=hidden", "-w", "-I", str(HERE.parent / "include")]
+LINK = ["-shared", "-s", "-O2", "-nostdlib"]
 
 
 def fetch(version: str, folder: Path) -> Path:
@@ -85,9 +88,11 @@ def main() -> None:
         layouts = grouped(dict(zip(order, sums)))
         LAYOUTS.write_text(json.dumps(layouts, indent=0) + "\n")
         print(f"{len(layouts)} releases, {len(set(layouts.values()))} layouts")
+        for old in options.adapters.glob("adapter-*.so") if options.adapters else ():
+            old.unlink()
         for layout in dict.fromkeys(layouts.values()) if options.adapters else ():
             options.adapters.mkdir(parents=True, exist_ok=True)
-            link = [os.environ.get("CXX", "c++"), "-shared", "-s", str(objects[layout])]
+            link = [os.environ.get("CXX", "c++"), *LINK, str(objects[layout])]
             subprocess.run([*link, "-o", str(options.adapters / f"adapter-{layout}.so")], check=True)
 
 
