@@ -109,6 +109,12 @@ def tried(wheel: Path, python: str, version: str, mujoco: str, numpy: str) -> di
     return {**found, "wrong": ", ".join(wrong)}
 
 
+def _cell(found: dict[str, Any]) -> str:
+    if "com" not in found or found["wrong"]:
+        return {"not to be had": "–"}.get(found["wrong"], found["wrong"])
+    return f"{found['com']:.1e}" if found["com"] else "0"
+
+
 def table(results: dict[str, dict[str, Any]]) -> str:
     """The results as Markdown: a row for each MuJoCo and NumPy, a column for each Python."""
     pythons = sorted({key.split()[0] for key in results}, key=lambda name: int(name.split(".")[1]))
@@ -121,7 +127,7 @@ def table(results: dict[str, dict[str, Any]]) -> str:
             row = [results.get(f"{name} {mujoco} {numpy}", {"wrong": "not tried"}) for name in pythons]
             if all(found["wrong"] in ("not to be had", "not tried") for found in row):
                 continue
-            cells = [found["wrong"].replace("not to be had", "–") or f"{found['com']:.1e}" for found in row]
+            cells = [_cell(found) for found in row]
             again = [found["again"] for found in row if "again" in found]
             lines.append(f"| {mujoco} | {numpy} | {' | '.join(cells)} | {f'{max(again):.1e}' if again else ''} |")
     return "\n".join(lines) + "\n"
@@ -136,20 +142,24 @@ def main() -> None:
     options = parser.parse_args()
     FOLDER.mkdir(parents=True, exist_ok=True)
     results: dict[str, dict[str, Any]] = json.loads(RESULTS.read_text()) if RESULTS.exists() else {}
-    good = True
+    combinations = []
     for wheel in sorted(options.wheels, key=lambda path: [int(n) for n in re.findall(r"cp3(\d+)-", path.name)]):
         version = ".".join(re.search(r"-cp(\d)(\d+)-", wheel.name).groups())  # type: ignore[union-attr]
+        for mujoco in options.mujoco:
+            is_old = tuple(int(part) for part in mujoco.split(".")) < FIRST_FOR_NUMPY_2
+            combinations += [(wheel, version, mujoco, each) for each in (["1"] if is_old else options.numpy)]
+    # Where MuJoCo 2.2.2 walked before there was a trace of the newest, it is asked once more at the end.
+    combinations += [one for one in combinations if one[2] == VERSIONS[0] and not NEWEST.exists()]
+    good = True
+    for wheel, version, mujoco, numpy in combinations:
         python = run(ROOT / ".ci" / "find-python", version)
         if python.returncode:
             raise SystemExit(python.stdout.strip())
-        for mujoco in options.mujoco:
-            is_old = tuple(int(part) for part in mujoco.split(".")) < FIRST_FOR_NUMPY_2
-            for numpy in options.numpy[:1] if is_old else options.numpy:
-                found = tried(wheel.resolve(), python.stdout.strip(), version, mujoco, numpy)
-                print(f"Python {version}, MuJoCo {mujoco}, NumPy {numpy}: {found}", flush=True)
-                results[f"{version} {mujoco} {numpy}"] = found
-                RESULTS.write_text(json.dumps(results, indent=0))
-                good &= found["wrong"] in ("", "not to be had")
+        found = tried(wheel.resolve(), python.stdout.strip(), version, mujoco, numpy)
+        print(f"Python {version}, MuJoCo {mujoco}, NumPy {numpy}: {found}", flush=True)
+        results[f"{version} {mujoco} {numpy}"] = found
+        RESULTS.write_text(json.dumps(results, indent=0))
+        good &= found["wrong"] in ("", "not to be had")
     print(table(results))
     head, _, rest = PAGE.read_text().partition(MARKS[0])
     PAGE.write_text(head + MARKS[0] + table(results) + MARKS[1] + rest.partition(MARKS[1])[2])
