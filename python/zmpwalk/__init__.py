@@ -157,18 +157,18 @@ def _plot(*arguments: Any, **options: Any) -> Any:
     return plot.draw(*arguments, **options)
 
 
-def _plot_pushes(push_map: PushMap) -> Any:
+def _plot_pushes(push_map: PushMap, axes: Any = None) -> Any:
     """`PushMap.plot`."""
     from . import plot
 
-    return plot.pushes(push_map)
+    return plot.pushes(push_map, axes)
 
 
-def _plot_robustness(found: Robustness) -> Any:
+def _plot_robustness(found: Robustness, axes: Any = None) -> Any:
     """`Robustness.plot`."""
     from . import plot
 
-    return plot.robustness(found)
+    return plot.robustness(found, axes)
 
 
 trace.ABOVE.update(plot=_plot, rerun=simulation.rerun)

@@ -476,11 +476,11 @@ class Trace(RecordedColumns, Mapping):
         return speed.tolist(), plan
 
     def plot(self, figure: str = "all", **options: Any) -> Any:
-        """Draw one of the paper's figures, or all.
+        """Draw how true the estimate was, one of the paper's figures, or all.
 
         Args:
-            figure: "iteration", "tracking", "switch", "velocity", "sagittal", "lateral" (Figs. 2, 4 to 8),
-                "footprints" (from above) or "all".
+            figure: "estimate" (how true it was), "iteration", "tracking", "switch", "velocity", "sagittal", "lateral"
+                (Figs. 2, 4 to 8), "footprints" (from above) or "all".
             options: passed to that function of `zmpwalk.plot`.
 
         Returns:

@@ -11,9 +11,10 @@ import click
 
 from .._core import WalkSettings
 from ..errors import InputError
+from ..figures import FORMATS
 from ..settings import load_settings
 
-__all__ = ["parse", "robot_option", "settings_options", "size_of", "unsure", "walk_options"]
+__all__ = ["format_option", "parse", "robot_option", "settings_options", "size_of", "unsure", "walk_options"]
 
 FOOTSTEPS = ("tied", "absolute", "paper", "printed")
 
@@ -53,6 +54,15 @@ def settings_options(command: Callable) -> Callable:
 
     return with_settings
 
+
+format_option = click.option(
+    "--format",
+    "kind",
+    type=click.Choice(FORMATS),
+    default="png",
+    show_default=True,
+    help="File format of figures; pdf and svg are vector graphics.",
+)
 
 robot_option = click.option(
     "--robot",
