@@ -15,10 +15,10 @@ from .curves import LONGEST, end_of, limits
 from .style import FAINT, SERIES, SERIES_DASHES, legend_above, new_figure, styled, title
 
 QUANTITIES = {
-    "velocity": "COM velocity,\nforward [m/s]",
-    "sideways": "COM, leftward [m]",
+    "velocity": "COM, forward\n[m/s]",
+    "sideways": "COM, leftward\n[m]",
     "zmp": "estimated ZMP,\nforward of COM [mm]",
-    "estimate": "|estimated −\nmeasured ZMP| [mm]",
+    "estimate": "|estimated − mea-\nsured ZMP| [mm]",
     "torque": "largest torque\n[% of its limit]",
 }
 COMPARED = ("velocity", "sideways", "estimate", "torque")  # unless asked for others
@@ -67,18 +67,19 @@ def compare(
     low, high = first if start is None else start, max(map(end_of, traces.values())) if end is None else end
     if not low < high:
         raise InputError(f"nothing to compare from {low:g} to {high:g} s")
-    figure, panels = new_figure(axes, len(names), 1, height=1.0 + 1.35 * len(names))
+    figure, panels = new_figure(axes, len(names), 1, height=0.9 + 1.5 * len(names))
     for ax, name in zip(panels, names):
         _panel(ax, name, traces, low, high)
     panels[-1].set_xlabel("time [s]")
     legend_above(panels[0], 4)
     figure.align_ylabels(panels)
-    title(figure, axes, " and ".join(traces) if len(traces) == 2 else f"{len(traces)} walks")
+    title(figure, axes, f"{len(traces)} walks compared")
     return figure
 
 
 def _panel(ax: Axes, name: str, traces: Mapping[str, Trace], low: float, high: float) -> None:
-    shown = []
+    shown: list[np.ndarray] = []
+    ends: list[tuple[float, float, str]] = []  # of the walks that fell: time, value, colour
     for i, (label, trace) in enumerate(traces.items()):
         rows = slice(*np.searchsorted(trace.t, (low - 1e-9, high + 1e-9)))
         look: dict[str, Any] = {"color": SERIES[i % len(SERIES)], "ls": SERIES_DASHES[i % len(SERIES_DASHES)]}
@@ -95,7 +96,7 @@ def _panel(ax: Axes, name: str, traces: Mapping[str, Trace], low: float, high: f
         ax.plot(t, values, lw=1.3, label=words, **look)
         if falls and np.isfinite(values).any():
             k = np.flatnonzero(np.isfinite(values))[-1]
-            ax.plot(t[k], values[k], marker="X", ms=7, color=look["color"], mec="black", mew=0.6, ls="", clip_on=False)
+            ends.append((float(t[k]), float(values[k]), look["color"]))
         standing = t < float(fell) - 0.3 if falls and fell is not None and t[0] < float(fell) - 0.3 else slice(None)
         shown.append(values[standing])  # a fall's last instants would flatten all the rest
     if not shown:
@@ -106,6 +107,9 @@ def _panel(ax: Axes, name: str, traces: Mapping[str, Trace], low: float, high: f
         ax.set_yscale("log")
     else:
         ax.set_ylim(*limits(*shown))
+    for at, value, colour in ends:  # at the rim where the fall went beyond it
+        inside = min(max(value, ax.get_ylim()[0]), ax.get_ylim()[1])
+        ax.plot(at, inside, marker="X", ms=7, color=colour, mec="black", mew=0.6, ls="", clip_on=False, zorder=6)
     if name == "torque" and ax.get_ylim()[1] > 100:
         ax.axhline(100, color=FAINT, lw=0.8, ls="--")
 
