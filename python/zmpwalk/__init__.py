@@ -14,7 +14,7 @@ import os
 import sys
 from importlib import import_module
 from types import ModuleType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ._check_mujoco import installed_mujoco as _installed_mujoco
 from ._check_mujoco import load_mujoco as _load_mujoco
@@ -32,7 +32,7 @@ except VersionError as error:
         raise SystemExit(2) from None
     raise
 
-from . import analysis, errors, pushes, simulation, trace, troubles
+from . import analysis, errors, pushes, shown, simulation, trace, troubles
 from ._build import VERSION as __version__
 from ._core import (
     Contact,
@@ -171,16 +171,27 @@ def _plot_robustness(found: Robustness, axes: Any = None) -> Any:
     return plot.robustness(found, axes)
 
 
-trace.ABOVE.update(plot=_plot, rerun=simulation.rerun)
+def _video(*arguments: Any, **options: Any) -> Any:
+    """`Trace.video`."""
+    from . import render
+
+    return render.film(*arguments, **options)
+
+
+trace.ABOVE.update(plot=_plot, rerun=simulation.rerun, video=_video)
 pushes.ABOVE.update(plot=_plot_pushes)
 troubles.ABOVE.update(plot=_plot_robustness)
+shown.show_values()
 
+if TYPE_CHECKING:  # so that type checkers know what these hold
+    from . import plot, render, view
+else:
 
-def __getattr__(name: str) -> ModuleType:
-    """Imports a module that is slow to import when it is first asked for."""
-    if name in ("plot", "render", "view"):
-        return import_module(f".{name}", __name__)
-    raise AttributeError(f"module 'zmpwalk' has no attribute '{name}'")
+    def __getattr__(name: str) -> ModuleType:
+        """Imports a module that is slow to import when it is first asked for."""
+        if name in ("plot", "render", "view"):
+            return import_module(f".{name}", __name__)
+        raise AttributeError(f"module 'zmpwalk' has no attribute '{name}'")
 
 
 def __dir__() -> list[str]:

@@ -6,10 +6,12 @@ with a display, glfw that works.
 
 from __future__ import annotations
 
+import base64
 import ctypes.util
 import importlib
 import os
 import sys
+import tempfile
 from pathlib import Path
 from typing import Any, Callable, Mapping, Sequence, Union
 
@@ -22,7 +24,7 @@ from .files import whole
 from .simulation import set_state
 from .trace import Trace
 
-__all__ = ["OffScreen", "picture", "snapshot", "video"]
+__all__ = ["Film", "OffScreen", "film", "picture", "snapshot", "video"]
 
 LIBRARIES = {"egl": "EGL", "osmesa": "OSMesa", "glfw": "GL"}
 MARKS = {"com": (0.0, 0.0, 0.0, 1.0), "zmp_est": (0.84, 0.37, 0.0, 1.0)}  # colours as in `plot`
@@ -295,6 +297,54 @@ def video(
                 if on_progress:
                     on_progress(t - trace.t[0], trace.duration)
     return path
+
+
+class Film:
+    """A film that was made; a notebook plays it.
+
+    Args:
+        path: its file, or None where `content` is all there is.
+        content: the file's bytes.
+        kind: "mp4" or "gif".
+
+    Fields: path, as given.
+
+    Usage: `trace.video(speed=0.5).save("walk.mp4")`
+    """
+
+    def __init__(self, path: Path | None, content: bytes, kind: str):
+        self.path, self._content, self._kind = path, content, kind
+
+    def save(self, path: str | os.PathLike) -> Path:
+        """Write the film into a file of the same kind, whole or not at all.
+
+        Raises:
+            InputError: another suffix.  OSError: cannot write there.
+        """
+        path = Path(path)
+        if path.suffix.lower() != f".{self._kind}":
+            raise InputError(f"{path}: this film is a .{self._kind}; make another by trace.video('{path}')")
+        with whole(path) as draft:
+            draft.write_bytes(self._content)
+        return path
+
+    def __repr__(self) -> str:
+        return f"Film({self.path or 'in memory'}, {self._kind}, {len(self._content) / 1e6:.2f} MB)"
+
+    def _repr_html_(self) -> str:
+        content = base64.b64encode(self._content).decode()
+        if self._kind == "gif":
+            return f"<img alt='a walk' src='data:image/gif;base64,{content}'>"
+        return f"<video controls loop autoplay muted src='data:video/mp4;base64,{content}'></video>"
+
+
+def film(trace: Trace, path: str | os.PathLike | None = None, **options: Any) -> Film:
+    """See `Trace.video`."""
+    if path is not None:
+        written = video(trace, path, **options)
+        return Film(written, written.read_bytes(), written.suffix.lower().lstrip("."))
+    with tempfile.TemporaryDirectory(prefix="zmpwalk-") as folder:
+        return Film(None, video(trace, Path(folder) / "walk.mp4", **options).read_bytes(), "mp4")
 
 
 def _smooth_path(trace: Trace) -> np.ndarray:

@@ -97,7 +97,7 @@ def settings_toml(controller: WalkingController, given: WalkSettings) -> str:
 
 
 def _comment(text: str) -> list[str]:
-    return textwrap.wrap(text, 96, initial_indent="# ", subsequent_indent="# ", break_on_hyphens=False)
+    return textwrap.wrap(text, 79, initial_indent="# ", subsequent_indent="# ", break_on_hyphens=False)
 
 
 def _torque_limits(controller: WalkingController, given: WalkSettings) -> list[str]:
@@ -105,7 +105,8 @@ def _torque_limits(controller: WalkingController, given: WalkSettings) -> list[s
     for joint, limit in zip(controller.joint_names, controller.torque_limit):
         own = joint not in given.torque_limits
         value = float(limit) if own else given.torque_limits[joint]
-        lines.append(f"{'#' if own else ''}{_key(joint)} = {_toml(value)}  # {controller.torque_path[joint]}")
+        lines += _comment(controller.torque_path[joint])
+        lines.append(f"{'#' if own else ''}{_key(joint)} = {_toml(value)}")
     return lines
 
 

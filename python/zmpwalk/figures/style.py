@@ -76,7 +76,8 @@ def new_figure(
     """
     if axes is not None:
         flat = given_axes(axes, rows * columns)
-        return flat[0].figure, flat
+        owner: Any = flat[0].figure
+        return owner, flat
     figure = WalkFigure(figsize=(WIDTH, height), layout="constrained")
     FigureCanvasAgg(figure)
     share: Any = "col" if columns == 1 or rows > 1 else False
