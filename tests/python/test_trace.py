@@ -391,5 +391,5 @@ def test_plot_by_name_or_all(made_up_trace):
         "lateral",
         "footprints",
     }
-    with pytest.raises(InputError, match="no figure 'zmp'; there are iteration"):
+    with pytest.raises(InputError, match="no figure 'zmp'; there are estimate"):
         made_up_trace.plot("zmp")
