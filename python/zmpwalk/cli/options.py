@@ -14,7 +14,16 @@ from ..errors import InputError
 from ..figures import FORMATS
 from ..settings import load_settings
 
-__all__ = ["format_option", "parse", "robot_option", "settings_options", "size_of", "unsure", "walk_options"]
+__all__ = [
+    "format_option",
+    "parse",
+    "push_option",
+    "robot_option",
+    "settings_options",
+    "size_of",
+    "unsure",
+    "walk_options",
+]
 
 FOOTSTEPS = ("tied", "absolute", "paper", "printed")
 
@@ -69,6 +78,14 @@ robot_option = click.option(
     default="mahru",
     show_default=True,
     help="A robot's name, menagerie:NAME, or a path to a robot.json, an MJCF (.xml, .mjcf) or a .urdf.",
+)
+
+
+push_option = click.option(
+    "--push",
+    multiple=True,
+    metavar="T:DURATION:BODY:FX,FY,FZ",
+    help="Force [N] on a body from T for DURATION [s]: 3.0:0.08:torso:0,50,0; no BODY is the trunk. Repeatable.",
 )
 
 

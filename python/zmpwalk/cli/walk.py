@@ -17,7 +17,7 @@ from ..profiles import profile_of
 from ..robots import examine
 from ..simulation import ON_FALL, Outside, WalkingController, check_duration, run
 from ..trace import Trace
-from .options import format_option, unsure, walk_options
+from .options import format_option, push_option, unsure, walk_options
 from .terminal import FELL, INTERRUPTED, STOOD, Progress, new_console, number
 
 __all__ = ["command"]
@@ -32,12 +32,7 @@ MISMATCH = 0.002  # feet off the planned velocity by this are worth a warning [m
     type=click.Path(path_type=Path),
     help="CSV file with angles of arms, waist and trunk over time, headed t,JOINT,...",
 )
-@click.option(
-    "--push",
-    multiple=True,
-    metavar="T:DURATION:BODY:FX,FY,FZ",
-    help="Force [N] on a body from T for DURATION [s]: 3.0:0.08:torso:0,50,0; no BODY is the trunk. Repeatable.",
-)
+@push_option
 @click.option(
     "--uncertain",
     multiple=True,

@@ -97,8 +97,8 @@ def _panel(ax: Axes, name: str, traces: Mapping[str, Trace], low: float, high: f
         if falls and np.isfinite(values).any():
             k = np.flatnonzero(np.isfinite(values))[-1]
             ends.append((float(t[k]), float(values[k]), look["color"]))
-        standing = t < float(fell) - 0.3 if falls and fell is not None and t[0] < float(fell) - 0.3 else slice(None)
-        shown.append(values[standing])  # a fall's last instants would flatten all the rest
+        calm = t < _trouble(trace)  # a fall would flatten all the rest
+        shown.append(values[calm] if calm.any() else values)
     if not shown:
         raise InputError(f"nothing to compare from {low:g} to {high:g} s: every walk ends before, or begins after")
     ax.set_ylabel(QUANTITIES.get(name) or _label(name))
@@ -112,6 +112,12 @@ def _panel(ax: Axes, name: str, traces: Mapping[str, Trace], low: float, high: f
         ax.plot(at, inside, marker="X", ms=7, color=colour, mec="black", mew=0.6, ls="", clip_on=False, zorder=6)
     if name == "torque" and ax.get_ylim()[1] > 100:
         ax.axhline(100, color=FAINT, lw=0.8, ls="--")
+
+
+def _trouble(trace: Trace) -> float:
+    """When a fall begins to show [s]; infinity where there is none."""
+    known = [trace.meta.get(key) for key in ("fall_time", "alarm_time")] if trace.meta.get("fell") else []
+    return min((float(t) - 0.3 for t in known if t is not None), default=math.inf)
 
 
 def _values(trace: Trace, name: str, label: str) -> np.ndarray:
