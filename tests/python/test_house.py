@@ -19,7 +19,7 @@ FLOORS = [
     ["trace"],
     ["simulation"],
     ["waypoints", "bench", "render", "capture", "trials"],
-    ["view", "figures", "pushes"],
+    ["view", "figures", "gym", "pushes"],
     ["plot", "troubles"],
     ["shown"],
     ["cli"],
