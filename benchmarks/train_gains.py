@@ -1,8 +1,8 @@
 """Trains something small with the Gymnasium environment: three gains that bring a pushed robot back to its point.
 
 The command is the point's velocity plus a gain times the distance from the point, forward, sideways and in heading. The
-cross-entropy method draws gains, walks with them side by side, and goes on from the best third. What is printed at the end
-are walks with pushes that the training has not seen, for the gains that were found and for no gains at all.
+cross-entropy method draws gains, walks with them side by side, and goes on from the best third. It ends with walks
+whose pushes the training has not seen, for the gains that were found and for no gains at all.
 `--seconds` is the time to train; `python benchmarks/train_gains.py` takes a minute on two cores.
 """
 

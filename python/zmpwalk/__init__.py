@@ -32,7 +32,7 @@ except VersionError as error:
         raise SystemExit(2) from None
     raise
 
-from . import analysis, errors, pushes, shown, simulation, trace, troubles
+from . import analysis, errors, pushes, shown, simulation, sweeps, trace, troubles
 from ._build import VERSION as __version__
 from ._core import (
     Contact,
@@ -75,6 +75,7 @@ from .robots import (
 )
 from .settings import load_settings, settings_toml
 from .simulation import Recorder, WalkingController, simulate, simulate_batch
+from .sweeps import Sweep, sweep
 from .tasks import FrameTask, JointTask, MomentumTask
 from .trace import Trace
 from .troubles import Robustness, robustness
@@ -107,6 +108,7 @@ __all__ = [
     "RobotDescription",
     "Robustness",
     "State",
+    "Sweep",
     "TaskAccelerations",
     "TaskSpace",
     "Trace",
@@ -144,6 +146,7 @@ __all__ = [
     "simulate",
     "simulate_batch",
     "solve_reference",
+    "sweep",
     "view",
     "walk_to",
     "zmp_on_plane",
@@ -171,6 +174,13 @@ def _plot_robustness(found: Robustness, axes: Any = None) -> Any:
     return plot.robustness(found, axes)
 
 
+def _plot_sweep(found: Sweep, y: Any, x: Any = None, axes: Any = None) -> Any:
+    """`Sweep.plot`."""
+    from . import plot
+
+    return plot.sweep(found, y, x, axes)
+
+
 def _video(*arguments: Any, **options: Any) -> Any:
     """`Trace.video`."""
     from . import render
@@ -181,6 +191,7 @@ def _video(*arguments: Any, **options: Any) -> Any:
 trace.ABOVE.update(plot=_plot, rerun=simulation.rerun, video=_video)
 pushes.ABOVE.update(plot=_plot_pushes)
 troubles.ABOVE.update(plot=_plot_robustness)
+sweeps.ABOVE.update(plot=_plot_sweep)
 shown.show_values()
 
 if TYPE_CHECKING:  # so that type checkers know what these hold

@@ -23,6 +23,7 @@ from .figures.position import lateral, sagittal
 from .figures.pushes import pushes
 from .figures.robustness import robustness
 from .figures.style import BOUND, COM, DESIRED, ESTIMATED, FAINT, MEASURED, PLANNED, SOLE, STYLE, WIDTH, WalkFigure
+from .figures.sweep import sweep
 from .figures.switch import switch
 from .figures.velocity import tracking, velocity
 from .files import whole
@@ -54,6 +55,7 @@ __all__ = [
     "robustness",
     "sagittal",
     "save_all",
+    "sweep",
     "switch",
     "tracking",
     "velocity",

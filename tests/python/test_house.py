@@ -18,7 +18,7 @@ FLOORS = [
     ["_check_mujoco", "tasks", "verdict"],
     ["trace"],
     ["simulation"],
-    ["waypoints", "bench", "render", "capture", "trials"],
+    ["waypoints", "bench", "render", "capture", "trials", "sweeps"],
     ["view", "figures", "gym", "pushes"],
     ["plot", "troubles"],
     ["shown"],
