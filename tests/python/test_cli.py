@@ -263,7 +263,7 @@ def test_inspect_shows_what_was_found(zmpwalk_command):
         "T_c",
         "left foot",
         "0.250 × 0.140 m",
-        "torque limit [N m]",
+        "[N m]",
         "l_knee",
         "pitch",
     ):
