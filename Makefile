@@ -113,21 +113,17 @@ $(B)/test.stamp: $(B)/base.stamp
 $(B)/dev.stamp: $(B)/test.stamp
 	$(call install_requirements,reference test lint)
 
-# The core holds no Python and no MuJoCo: one serves every Python here, and another, with heap watch and assertions on, all
-# C++ tests. A folder that was moved, or another compiler, starts anew.
-CORE := build/core
-configure_core = cmake -S . -B $(CORE)/$(1) -G Ninja -DPython_EXECUTABLE=$(PY) -DZMPWALK_BUILD_PYTHON=OFF $(2) >$(B)/configure-$(1).log 2>&1
-build_core = { $(configure_core) || { rm -rf $(CORE)/$(1); $(configure_core); } || { cat $(B)/configure-$(1).log >&2; exit 1; }; } && \
-	cmake --build $(CORE)/$(1) --target zmpwalk_core
-as_core = -DZMPWALK_CORE=$(CURDIR)/$(CORE)/$(1)/libzmpwalk_core.a
+# Two cores serve every Python here: that of the package, and that of the C++ tests with heap watch and assertions on.
+core = .ci/core $(1) $(VENV) $(2)
+core_file = $(CURDIR)/build/core/$(1)/libzmpwalk_core.a
 
 # Not editable: the tests meet what a user gets, so that a file missing from the package fails here. The build folder is
 # kept, so that only what changed is compiled.
 $(B)/installed.stamp: $(B)/base.stamp $(SOURCES)
 	@echo '-- building and installing zmpwalk'
-	@$(call build_core,release) $(call QUIETLY,core)
+	@$(call core,release) $(call QUIETLY,core)
 	@$(PIP) install --no-build-isolation --no-deps --force-reinstall --config-settings=build-dir=$(B)/extension \
-		--config-settings=cmake.define.ZMPWALK_CORE=$(CURDIR)/$(CORE)/release/libzmpwalk_core.a . $(call QUIETLY,install)
+		--config-settings=cmake.define.ZMPWALK_CORE=$(call core_file,release) . $(call QUIETLY,install)
 	@touch $@
 
 # ---- demo
@@ -162,8 +158,8 @@ ctest:
 	@echo 'ctest did not start' >$(B)/ctest.log
 	@$(AGAIN) $(B)/test.stamp
 	@echo '-- building the C++ tests'
-	@$(call build_core,tests,-DZMPWALK_BUILD_TESTS=ON -DZMPWALK_WERROR=$(WERROR))
-	@$(call configure_tests,cpp,$(call as_core,tests))
+	@$(call core,tests,-DZMPWALK_BUILD_TESTS=ON -DZMPWALK_WERROR=$(WERROR))
+	@$(call configure_tests,cpp,-DZMPWALK_CORE=$(call core_file,tests))
 	@cmake --build $(B)/cpp
 	@set -o pipefail; ($(call run_ctest,cpp,600)) 2>&1 | tee $(B)/ctest.log
 

@@ -61,8 +61,10 @@ def libmujoco_file() -> Path | None:
     Usage: `libmujoco_file().name  # -> "libmujoco.so.3.3.7"`
     """
     spec = util.find_spec("mujoco")
-    folders = [*(spec.submodule_search_locations or []), Path(sys.prefix, "lib")] if spec else []
-    return next((file for folder in folders for file in sorted(Path(folder).glob("libmujoco.*"))), None)
+    if spec is None:
+        return None
+    folders = [*map(Path, spec.submodule_search_locations or ()), Path(sys.prefix, "lib")]
+    return next((file for folder in folders for file in sorted(folder.glob("libmujoco.*"))), None)
 
 
 def build_adapter(version: str, compiler: str | None = None) -> Path:
