@@ -307,6 +307,25 @@ double Robot::joint_margin(const mjData* d) const {
   return margin;
 }
 
+double Robot::sole_friction() const {
+  const auto of_foot = [&](Side side) {
+    double most = -1.0;
+    for (int foot = 0; foot < m_->ngeom; ++foot)
+      for (int ground = 0; ground < m_->ngeom; ++ground) {
+        if (!is_foot(side, m_->geom_bodyid[foot]) || m_->body_weldid[m_->geom_bodyid[ground]] != 0) continue;
+        if (!((m_->geom_contype[foot] & m_->geom_conaffinity[ground]) |
+              (m_->geom_contype[ground] & m_->geom_conaffinity[foot])))
+          continue;
+        // MuJoCo takes the friction of the geom with the higher priority, or else the larger one.
+        const int first = m_->geom_priority[foot], second = m_->geom_priority[ground];
+        const double own = m_->geom_friction[3 * foot], its = m_->geom_friction[3 * ground];
+        most = std::max(most, first > second ? own : second > first ? its : std::max(own, its));
+      }
+    return most < 0.0 ? std::numeric_limits<double>::infinity() : most;
+  };
+  return std::min(of_foot(kLeft), of_foot(kRight));
+}
+
 std::pair<double, double> Robot::joint_range(int joint) const {
   const int id = m_->dof_jntid[dof0_ + 6 + joint];
   constexpr double kInfinity = std::numeric_limits<double>::infinity();

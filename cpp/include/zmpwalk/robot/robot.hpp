@@ -105,6 +105,9 @@ class Robot {
   double joint_margin(const mjData* d) const;
   /// How far both hips can turn about the vertical from the start pose, either way: the smallest distance to one of their limits [rad].
   double hip_turn() const { return hip_turn_; }
+  /// Sliding friction between the soles and what does not move in the model: of each foot the largest of its geoms, of both feet the smaller. Infinite
+  /// where nothing is there to stand on.
+  double sole_friction() const;
   /// Of the leg joints [first, last), the one whose axis lies closest to the sole's y at the start pose (joint index).
   int pitch_joint(Side side, int first, int last) const { return joint_about(1, side, first, last); }
 
