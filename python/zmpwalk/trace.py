@@ -412,8 +412,8 @@ class Trace(RecordedColumns, Mapping):
         """Say how the walk went in a few numbers.
 
         Returns:
-            robot, mujoco_version, duration [s], fell, fall_time [s], fall_cause, foreseen_time [s], foreseen_cause (of a
-            fall that was foreseen), step_count (touch-downs);
+            robot, mujoco_version, duration [s], fell, fall_time [s], fall_cause, foreseen_time [s], foreseen_cause (of
+            a fall that was foreseen), step_count (touch-downs);
             mean_speed_per_step, planned_speed_per_step [m/s]: forward, over each whole step period T = T_ss + T_ds
             from the start, the COM's displacement in the planned heading over T, and the profile's; speed_rms_error
             [m/s]: of the COM's forward velocity about the plan, over all cycles; step_period [s];
