@@ -76,7 +76,7 @@ from .robots import (
 from .settings import load_settings, settings_toml
 from .simulation import Recorder, WalkingController, simulate, simulate_batch
 from .tasks import FrameTask, JointTask, MomentumTask
-from .trace import Trace
+from .trace import Fall, Trace
 from .troubles import Robustness, robustness
 from .verdict import Verdict, judge
 from .waypoints import Waypoints, walk_to
@@ -88,6 +88,7 @@ __all__ = [
     "DimensionError",
     "Dynamics",
     "Error",
+    "Fall",
     "Foot",
     "FrameTask",
     "GaitGenerator",

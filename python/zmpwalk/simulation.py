@@ -198,6 +198,7 @@ class Recorder:
         self._recorder = _core.Recorder(controller)
         self._robot = robot
         self._cause = ""
+        self._foreseen = (math.nan, "")
 
     def add(self, out: _core.CycleOutput, data: mujoco.MjData) -> None:
         """Record one cycle. Call it right after `mj_step`, because only then are the contact forces of this cycle
@@ -211,6 +212,8 @@ class Recorder:
         """
         self._recorder.add(out, data)
         self._cause = self._cause or str(getattr(out, "fall_cause", "") or "")
+        if out.fall_foreseen and not self._foreseen[1]:
+            self._foreseen = (out.foreseen_time, out.foreseen_cause)
 
     def trace(self) -> Trace:
         """Everything that was recorded so far.
@@ -226,6 +229,8 @@ class Recorder:
             "fell": bool(len(fallen)),
             "fall_time": float(columns["t"][fallen[0]]) if len(fallen) else math.nan,
             "fall_cause": self._cause,
+            "alarm_time": self._foreseen[0],
+            "alarm_cause": self._foreseen[1],
         }
         model, meta = _describe_run(self._controller, self._robot, info, source="recorder")
         return Trace(columns, meta, model, copy=False)
@@ -270,9 +275,10 @@ def simulate(
             [t, t + duration). The body None is the trunk: the first body whose name holds "torso" or "trunk", else
             the root body. The controller is not told.
         on_fall: "stop" ends the walk where the controller says that the robot has fallen. "go_on" takes this for an
-            alarm, which `meta["alarm_time"]` keeps, and ends only where the robot lies on the ground (something beside
+            alarm and ends only where the robot lies on the ground (something beside
             its legs touches it, or the COM has come down to 30 % of its height) or is not finite: these alone are
-            falls then.
+            falls then. `trace.fall` keeps the fall, and since when it was foreseen; a fall that is only foreseen ends
+            no walk.
         uncertainty: what the controller does not know, or not in time: an `Uncertainty`, or a dictionary of its fields.
         simulated: the robot that is simulated, where it is not the one that the controller knows: it must have the
             bodies that the description names, and the same joints in the same order. `uncertainty` changes this one.

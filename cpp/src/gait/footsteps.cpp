@@ -7,11 +7,6 @@
 #include "zmpwalk/math/rotation.hpp"
 
 namespace zmpwalk {
-namespace {
-
-constexpr double kLonger = 1.15;  // times the planned step, where the plan goes as far as the leg is said to reach
-
-}  // namespace
 
 FootstepPlanner::FootstepPlanner(const WalkSettings& settings, const VelocityProfile& plan, const SoleSize& sole)
     : settings_(settings),
