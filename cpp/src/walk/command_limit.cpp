@@ -158,7 +158,8 @@ class Step {
     const VecX& limit = robot_.torque_limit();
     for (const Side side : kSides) {
       const auto& leg = robot_.leg_joints()[side];
-      for (int i = 0; i < 6; ++i)
+      // What the ankles of the foot that stands can give bounds its ZMP already.
+      for (int i = 0; i < (side == kLeft ? 4 : 6); ++i)
         out.take(std::abs(result_.tau[leg[i]]) / (kPeak * limit[leg[i]]),
                  i < 3   ? SpeedLimit::kHip
                  : i < 4 ? SpeedLimit::kKnee
