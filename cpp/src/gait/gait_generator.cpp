@@ -286,7 +286,8 @@ void GaitGenerator::move_ahead(const GaitInput& in) {
 }
 
 void GaitGenerator::turn(double since_middle, double period) {
-  const double w = out_.v_plan.z();
+  // A robot that begins to walk shifts its load to the first foot without having stood on the other one alone.
+  const double w = starting_ && before_switch() ? 0.0 : out_.v_plan.z();
   turn_ = 0.5 * period * w;
   if (w != 0.0) out_.ahead_M = ahead_of(out_.heading - w * since_middle);
   next_turn_ = 0.5 * next_.displacement().z();
