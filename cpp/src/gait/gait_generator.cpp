@@ -277,7 +277,7 @@ void GaitGenerator::move_ahead(const GaitInput& in) {
   const double since_middle = awaits ? half - 0.5 * out_.phase.duration + out_.phase.time : -out_.phase.to_mid_single;
   const double time = awaits ? std::max(0.5 * out_.phase.duration - out_.phase.time, dt) : out_.phase.to_mid_double;
   next_ = footsteps_.stance_at(in.t + time, awaits ? period : period_);
-  turn(since_middle, period);
+  turn(in, since_middle);
   const double v = speed_in_M(out_.v_plan, out_.support, turn_, period);
   take_orbit(out_.orbit, sole_room_, v + footsteps_.hurried(), period);
   out_.orbit_middle = settings_.com.lead;
@@ -285,11 +285,15 @@ void GaitGenerator::move_ahead(const GaitInput& in) {
   capture(in, time);
 }
 
-void GaitGenerator::turn(double since_middle, double period) {
-  // A robot that begins to walk shifts its load to the first foot without having stood on the other one alone.
-  const double w = starting_ && before_switch() ? 0.0 : out_.v_plan.z();
-  turn_ = 0.5 * period * w;
-  if (w != 0.0) out_.ahead_M = ahead_of(out_.heading - w * since_middle);
+void GaitGenerator::turn(const GaitInput& in, double since_middle) {
+  // What is commanded after the middle of a stance turns the stances to come, not this one. A robot that begins to walk shifts its load to the
+  // first foot without having stood on the other one alone.
+  if (starting_ && before_switch())
+    heading_M_ = next_.path.yaw;
+  else if (since_middle <= 0.0)
+    heading_M_ = out_.heading + plan_.displacement(in.t, in.t - since_middle).z();
+  turn_ = next_.path.yaw - heading_M_;
+  if (heading_M_ != out_.heading) out_.ahead_M = ahead_of(heading_M_);
   next_turn_ = 0.5 * next_.displacement().z();
   ahead_next_ = next_turn_ == 0.0 ? next_.path.ahead : ahead_of(next_.path.yaw + next_turn_);
 }

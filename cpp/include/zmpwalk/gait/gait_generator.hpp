@@ -153,7 +153,7 @@ class GaitGenerator {
   /// True in double support while the foot that has just landed does not carry the ZMP yet.
   bool before_switch() const { return out_.phase.phase == Phase::kDoubleSupport && lateral_.awaits_switch(); }
   /// On a curved path: the axes and the forward speeds of this stance and the next.
-  void turn(double since_middle, double period);
+  void turn(const GaitInput& in, double since_middle);
   /// Forward speed along M of a stance of the foot `side`, at whose end H has turned by `angle` from M [m/s].
   double speed_in_M(const Vec3& v, Side side, double angle, double period) const;
   bool can_stand(const GaitInput& in) const;  // true where the feet are side by side and the DCM is inside their bounds
@@ -189,7 +189,8 @@ class GaitGenerator {
   // those with which the orbit over the next foot begins at that time, its DCM from that foot.
   double v_next_ = 0.0, xi_next_ = 0.0, v_start_ = 0.0, xi_start_ = 0.0;
   Vec2 ahead_next_ = Vec2::UnitX();     // x axis of the next foot's M, W
-  double turn_ = 0.0, next_turn_ = 0.0;  // of the path in half the period of this stance and of the next [rad]
+  double heading_M_ = 0.0;               // of M [rad]
+  double turn_ = 0.0, next_turn_ = 0.0;  // of the path from the middle of this stance to its end, and of the next one [rad]
   double xi_sideways_ = 0.0;            // what the DCM along M then adds to minus that along the next M's y [m]
   double zmp_lateral_ = 0.0;            // `zmp_lateral` of the cycle before [m]
   Began began_ = Began::kNothing;  // what began with this cycle
