@@ -26,7 +26,7 @@ struct AxisLimit {
 /// When it is made, it computes postures, torques and the contact wrench of the instants of a steady step that ask most, for velocities along each axis:
 /// lift-off and landing, when the leg is thrown and caught and the ZMP is at the end of the sole, and the middle of the swing, when the joints are fastest. The
 /// posture comes from COM and soles by inverse kinematics, the torques from (1)-(7). A velocity (v_x, v_y, w_z) is possible where
-///     (v_x / most_x)^2 + (v_y / most_y)^2 + (w_z / most_z)^2 <= 1,  and within reach.
+///     |v_x| / most_x + |v_y| / most_y + |w_z| / most_z <= 1,  and within reach.
 class CommandLimit {
  public:
   /// @param settings resolved   @param bounds of the ZMP in the sole   @param z_c height of the COM over the soles [m]
@@ -44,7 +44,7 @@ class CommandLimit {
 
  private:
   const AxisLimit& axis(int i, double v) const { return axes_[i == 0 ? (v < 0.0) : i + 1]; }
-  double share(const Vec3& velocity) const;  // square root of the sum above
+  double share(const Vec3& velocity) const;  // the sum above
 
   bool on_;
   LegReach reach_;
