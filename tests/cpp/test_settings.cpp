@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(a_wrong_name_is_answered_with_the_nearest) {
   answer("trakcing", "did you mean the group tracking?");
   answer("colour_of_the_robot",
          "the groups are gait, steps, swing, com, zmp, tracking, rate, trunk, posture, arms, contact, control, limits, "
-         "observer and fall");
+         "observer, command and fall");
 }
 
 BOOST_AUTO_TEST_CASE(settings_that_break_a_rule_are_refused_with_name_value_and_rule) {
