@@ -178,7 +178,8 @@ void bind_walking_controller(py::module_& m) {
           "torque_limit", [](const WalkingController& c) { return c.robot().torque_limit(); },
           "torque limit of each joint, infinite without (joints,) [N m]")
       .def_property_readonly(
-          "mass", [](const WalkingController& c) { return c.robot().dynamics().mass; }, "mass of the robot [kg]: that of the model, and as a walk finds it to be (`observer`)")
+          "mass", [](const WalkingController& c) { return c.robot().dynamics().mass; },
+          "mass of the robot [kg]: that of the model, and as a walk finds it to be (`observer`)")
       .def_property_readonly("com_height", &WalkingController::com_height, "height z_c of the COM over the soles [m]")
       .def_property_readonly("Tc", &WalkingController::Tc, "time constant of the pendulum, sqrt(z_c / g) [s]")
       .def("knee_share", &WalkingController::knee_share, "speed"_a,

@@ -10,14 +10,14 @@ using namespace zmpwalk::testing;
 
 namespace {
 
-/// The humanoid at 0.25 m/s, pushed at 4 s; `gone_down` is where it lies.
+/// The humanoid at 0.25 m/s, pushed when the right foot lifts off.
 struct Pushed {
   Pushed(const WalkSettings& s, const Vec3& force)
       : controller(mahru(), describe(mahru()), s,
                    VelocityProfile({0.0, 1.25}, {Vec3::Zero(), Vec3(0.25, 0, 0)}, Interpolation::kLinear)),
         simulation(controller),
         recorder(controller, 8.0) {
-    Push push{4.0, 0.08, "", Vec6::Zero()};
+    Push push{4.981, 0.08, "", Vec6::Zero()};
     push.wrench.head<3>() = force;
     simulation.push(push);
     result = simulation.run(8.0, recorder, {}, 0.1, {}, 0.0, OnFall::kGoOn);
@@ -37,7 +37,7 @@ struct Pushed {
 
 BOOST_AUTO_TEST_CASE(a_fall_is_foreseen_before_the_trunk_tilts_and_torques_and_speeds_stay_low_to_the_ground) {
   for (const bool timing : {false, true}) {
-    const Pushed walk(with([&](WalkSettings& s) { s.steps.timing = timing; }), {0, timing ? 400.0 : 300.0, 0});
+    const Pushed walk(with([&](WalkSettings& s) { s.steps.timing = timing; }), {0, timing ? 236.0 : 300.0, 0});
     BOOST_CHECK(walk.result.fell == Fall::kDown);
     BOOST_CHECK(walk.result.alarm == Fall::kLost);
     BOOST_CHECK(walk.result.alarm_text.find("beyond what any foothold within reach can catch") != std::string::npos);
@@ -60,7 +60,7 @@ BOOST_AUTO_TEST_CASE(a_fall_is_foreseen_before_the_trunk_tilts_and_torques_and_s
 }
 
 BOOST_AUTO_TEST_CASE(a_walk_that_catches_itself_has_no_fall_foreseen) {
-  const Pushed walk(WalkSettings(), {0, 140, 0});
+  const Pushed walk(WalkSettings(), {0, 80, 0});
   BOOST_CHECK(walk.result.fell == Fall::kNone && walk.result.alarm == Fall::kNone);
   CHECK_NEAR(walk.column("fall_gap").maxCoeff(), 0.0, 0.0);
 }
@@ -70,7 +70,7 @@ BOOST_AUTO_TEST_CASE(without_the_crouch_the_walk_goes_on_and_is_the_walk_that_fo
     WalkSettings s;
     s.fall.crouch = false;
     s.fall.foresee = foresee;
-    return Pushed(s, {0, 400, 0});
+    return Pushed(s, {0, 600, 0});
   };
   const Pushed sees(run(true)), blind(run(false));
   BOOST_CHECK(sees.result.alarm == Fall::kLost && blind.result.alarm != Fall::kLost);
@@ -79,7 +79,7 @@ BOOST_AUTO_TEST_CASE(without_the_crouch_the_walk_goes_on_and_is_the_walk_that_fo
 }
 
 BOOST_AUTO_TEST_CASE(a_robot_that_starts_anew_has_nothing_foreseen) {
-  Pushed walk(WalkSettings(), {0, 400, 0});
+  Pushed walk(WalkSettings(), {0, 600, 0});
   BOOST_CHECK(walk.controller.output().foreseen);
   const MjDataPtr d = make_data(mahru());
   walk.controller.robot().description().place(mahru(), d.get());

@@ -26,8 +26,8 @@ Vec2 reference_zmp(const GaitOutput& gait, const LinearInvertedPendulum& pendulu
   if (gait.at_rest) return gait.zmp_rest;
   const double x = (com - gait.origin).dot(gait.ahead_M), from_middle = x - gait.orbit_middle;
   const double a =
-      gait.orbit.acceleration(from_middle) +
-      tracker.acceleration(gait.orbit.velocity(from_middle) + gait.dv_capture, dcom.dot(gait.ahead_M), gait.orbit_ahead);
+      gait.orbit.acceleration(from_middle) + tracker.acceleration(gait.orbit.velocity(from_middle) + gait.dv_capture,
+                                                                  dcom.dot(gait.ahead_M), gait.orbit_ahead);
   const double r = pendulum.reference_for(x, a);  // along M's x
   // The bounds are along S's x: what is beyond them must not lean sideways where the sole points elsewhere than the walk.
   const double inside = std::clamp(r, gait.room.lower.x(), gait.room.upper.x());
@@ -363,10 +363,9 @@ double GaitGenerator::planned_lead() const {
 
 double GaitGenerator::ahead_of_plan(const GaitInput& in, const Vec2& planned) const {
   const double to_middle = (next_.mid.integral - footsteps_.now().integral).x();
-  const double there =
-      turn_ == 0.0 && next_turn_ == 0.0
-          ? (in.com - out_.origin).dot(out_.ahead) + to_middle + 0.5 * next_.displacement().x() - settings_.com.lead
-          : (planned - out_.origin).dot(ahead_next_);
+  const double there = turn_ == 0.0 && next_turn_ == 0.0 ? (in.com - out_.origin).dot(out_.ahead) + to_middle +
+                                                               0.5 * next_.displacement().x() - settings_.com.lead
+                                                         : (planned - out_.origin).dot(ahead_next_);
   // An excess speed, up to this, is left to the ZMP over that foot: taken up by the foothold, a long step would make the next one short.
   const double excess = pendulum_.Tc() * (v_next_ - v_start_), give = settings_.steps.give;
   return xi_next_ - xi_start_ - there - std::clamp(excess, give * out_.room.lower.x(), give * out_.room.upper.x());

@@ -20,7 +20,8 @@ constexpr double kOnTheSpot =
     1.1;  // what a robot that steps on the spot asks for already, and a little more, is no question of speed
 constexpr int kNewton = 15;      // steps of the inverse kinematics
 constexpr double kClose = 1e-6;  // residual at which it ends [m, rad]
-constexpr double kTurn = 0.8;  // a step turns by less: beyond it the plan, straight within a step, is no longer the walk [rad]
+constexpr double kTurn =
+    0.8;  // a step turns by less: beyond it the plan, straight within a step, is no longer the walk [rad]
 constexpr double kArmSwing = 0.5;  // how far an arm's joint swings to either side at most [rad]
 constexpr int kBisections = 9;
 constexpr double kAtLimit = 1e-9;  // a velocity this near to its limit is at the limit
@@ -67,7 +68,8 @@ class Step {
   Demand demand(const Vec3& v) {
     Demand out;
     const StepTimes times = cadence_.times(v);
-    const double T = cadence_period_ = times.period(), half = 0.5 * times.T_ss, crouch = reach_.crouch_for(reach_.stride(v));
+    const double T = cadence_period_ = times.period(), half = 0.5 * times.T_ss,
+                 crouch = reach_.crouch_for(reach_.stride(v));
     const double gravity = robot_.dynamics().gravity.norm(), height = z_c_ - crouch;
     const LinearInvertedPendulum pendulum(height, gravity);
     const double Tc = pendulum.Tc(), W = settings_.steps.width;
@@ -85,7 +87,8 @@ class Step {
       // The foot in the air goes by cubic splines, from rest to rest; on a curve it stands turned by w_z T where it leaves and where it lands.
       const double T_ss = times.T_ss, yaw = at * v.z() * T;
       const Vec3 way(2.0 * v.x() * T + W * std::sin(v.z() * T), 2.0 * std::abs(v.y()) * T, 2.0 * v.z() * T);
-      const Vec3 place(0.5 * at * way.x(), -0.5 * W * (1.0 + std::cos(yaw)) + 0.5 * at * way.y(), at == 0.0 ? lift : 0.0);
+      const Vec3 place(0.5 * at * way.x(), -0.5 * W * (1.0 + std::cos(yaw)) + 0.5 * at * way.y(),
+                       at == 0.0 ? lift : 0.0);
       Vec6 velocity = Vec6::Zero(), acceleration = Vec6::Zero();
       if (at == 0.0) velocity << 1.5 / T_ss * way.head<2>(), 0, 0, 0, 1.5 / T_ss * way.z();
       acceleration << -6.0 * at / (T_ss * T_ss) * way.head<2>(), 6.0 * lift / (half * half), 0, 0,
@@ -123,7 +126,8 @@ class Step {
     const Mat3 R_S = rotation_z(yaw_of(sole_start_[kLeft].R_WF));  // the walk goes where the left foot points
     state_.q = start_q_;
     state_.dq.setZero();
-    const Eigen::Quaterniond trunk = Eigen::Quaterniond(rotation_z(turn.trunk)) * Eigen::Quaterniond(start_q_[3], start_q_[4], start_q_[5], start_q_[6]);
+    const Eigen::Quaterniond trunk = Eigen::Quaterniond(rotation_z(turn.trunk)) *
+                                     Eigen::Quaterniond(start_q_[3], start_q_[4], start_q_[5], start_q_[6]);
     state_.q.segment<4>(3) << trunk.w(), trunk.x(), trunk.y(), trunk.z();
     const Mat3 R_foot = rotation_z(turn.foot);
     Rows J;
@@ -153,7 +157,8 @@ class Step {
     state_.dq.segment<3>(3) = robot_.dynamics().R_WB.transpose() * Vec3(0, 0, turn.rate);
     robot_.read(state_);
     const Dynamics& dyn = robot_.dynamics();
-    for (const Side side : kSides) off.segment<6>(6 * side) = -dyn.sole[side].J.middleCols<3>(3) * state_.dq.segment<3>(3);
+    for (const Side side : kSides)
+      off.segment<6>(6 * side) = -dyn.sole[side].J.middleCols<3>(3) * state_.dq.segment<3>(3);
     off.tail<3>() = -dyn.J_com.middleCols<3>(3) * state_.dq.segment<3>(3);
     off.segment<3>(6) += R_S * velocity.head<3>();
     off.segment<3>(9) += velocity.tail<3>();
@@ -232,7 +237,7 @@ class Step {
   WholeBodyResult result_;
   State state_;
   TaskAccelerations f_star_;
-  VecX start_q_, c_;  // c: row of the yaw momentum
+  VecX start_q_, c_;             // c: row of the yaw momentum
   double cadence_period_ = 1.0;  // time of a step [s]
   Vec3 com_;
   std::array<FrameState, 2> sole_start_;

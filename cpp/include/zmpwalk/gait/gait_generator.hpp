@@ -188,11 +188,12 @@ class GaitGenerator {
   // Velocity and DCM that the COM will have in the middle of the next double support, the DCM from the support foot along the heading [m/s, m]. And
   // those with which the orbit over the next foot begins at that time, its DCM from that foot.
   double v_next_ = 0.0, xi_next_ = 0.0, v_start_ = 0.0, xi_start_ = 0.0;
-  Vec2 ahead_next_ = Vec2::UnitX();     // x axis of the next foot's M, W
-  double heading_M_ = 0.0;               // of M [rad]
-  double turn_ = 0.0, next_turn_ = 0.0;  // of the path from the middle of this stance to its end, and of the next one [rad]
-  double xi_sideways_ = 0.0;            // what the DCM along M then adds to minus that along the next M's y [m]
-  double zmp_lateral_ = 0.0;            // `zmp_lateral` of the cycle before [m]
+  Vec2 ahead_next_ = Vec2::UnitX();  // x axis of the next foot's M, W
+  double heading_M_ = 0.0;           // of M [rad]
+  double turn_ = 0.0,
+         next_turn_ = 0.0;         // of the path from the middle of this stance to its end, and of the next one [rad]
+  double xi_sideways_ = 0.0;       // what the DCM along M then adds to minus that along the next M's y [m]
+  double zmp_lateral_ = 0.0;       // `zmp_lateral` of the cycle before [m]
   Began began_ = Began::kNothing;  // what began with this cycle
   enum class Swing {
     kLifting,   // the foot has not been felt off the ground yet

@@ -583,7 +583,7 @@ struct FallSettings {
     v(g.crouch, "crouch", "fall_crouch", "", must_be::kAnything, {},
       "Whether the robot crouches once a fall is foreseen: the legs bend and every joint is damped, until the walk is "
       "started anew. With false it walks on as if nothing were foreseen.");
-    v(g.margin, "margin", "fall_margin", "m", must_be::kNotNegative, {0.005, of::kComHeight},
+    v(g.margin, "margin", "fall_margin", "m", must_be::kNotNegative, {0.03, of::kComHeight},
       "How far the DCM must be beyond what any foothold within reach can catch before the fall counts as certain. "
       "Trunk, arms and what the pendulum does not know may bring back that much.");
     v(g.confirm_time, "confirm_time", "fall_confirm_time", "s", must_be::kNotNegative, {0.04, of::kTimeConstant},
