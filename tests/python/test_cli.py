@@ -16,7 +16,7 @@ from zmpwalk.cli import options, terminal
 FIGURES = {
     f"fig{name}.png" for name in ("2_iteration", "4_tracking", "5_switch", "6_velocity", "7_sagittal", "8_lateral")
 } | {"footprints.png", "estimate.png"}
-FALLS = ("--set", "wrench_distribution=false", "--set", "contact_damping=0")  # falls within half a second
+FALLS = ("--set", "wrench_distribution=false", "--set", "contact_damping=0")  # loses its balance within half a second, and crouches
 
 
 def lines(text):
@@ -100,7 +100,7 @@ def test_fall_is_named_and_everything_is_written(zmpwalk_command, tmp_path):
     assert {file.name for file in tmp_path.iterdir()} == {"trace.npz", "summary.json", *FIGURES}
     summary = json.loads((tmp_path / "summary.json").read_text())
     assert summary["fell"] is True
-    assert 0 < summary["fall_time"] < 2
+    assert 0 < summary["fall_time"] < 3
     assert f"fell at t = {summary['fall_time']:.3f} s: {summary['fall_cause']}" in done.stderr
     assert "fell at" in done.stdout
 

@@ -61,7 +61,7 @@ def test_where_a_walk_ends_by_the_word_of_the_controller_everything_is_written(t
 
 
 def test_a_robot_that_catches_itself_has_no_fall():
-    trace = pushed(0.15, after=2.0)
+    trace = pushed(0.25)
     assert trace.fall is None
     assert trace.fall_gap.max() == 0.0
 
