@@ -12,7 +12,8 @@ MM = 1e-3
 
 
 def walk(duration=9.0, robot="mahru", **settings):
-    return zmpwalk.simulate(robot, duration=duration, settings=WalkSettings(**settings))
+    """A walk without the crouch, which would put off the fall that shows what an ingredient is for."""
+    return zmpwalk.simulate(robot, duration=duration, settings=WalkSettings(fall_crouch=False, **settings))
 
 
 def assert_stands(trace):

@@ -16,6 +16,8 @@ namespace {
 
 constexpr double kPeak =
     0.95;  // share of a torque limit that a steady step may ask for: what the walk adds takes the rest
+constexpr double kSwingPeak =
+    1.25;  // the same in the air, where the torque peaks for an instant and a foot that lags does no harm
 constexpr double kOnTheSpot =
     1.1;  // what a robot that steps on the spot asks for already, and a little more, is no question of speed
 constexpr int kNewton = 15;      // steps of the inverse kinematics
@@ -183,12 +185,10 @@ class Step {
     const VecX& limit = robot_.torque_limit();
     for (const Side side : kSides) {
       const auto& leg = robot_.leg_joints()[side];
-      // What the ankles of the foot that stands can give bounds its ZMP already.
-      for (int i = 0; i < (side == kLeft ? 4 : 6); ++i)
-        out.take(std::abs(result_.tau[leg[i]]) / (kPeak * limit[leg[i]]),
-                 i < 3   ? SpeedLimit::kHip
-                 : i < 4 ? SpeedLimit::kKnee
-                         : SpeedLimit::kAnkle,
+      const double peak = side == kLeft ? kPeak : kSwingPeak;
+      // What the ankles of the foot that stands can give bounds its ZMP already; in the air an ankle that lags only tilts the foot.
+      for (int i = 0; i < 4; ++i)
+        out.take(std::abs(result_.tau[leg[i]]) / (peak * limit[leg[i]]), i < 3 ? SpeedLimit::kHip : SpeedLimit::kKnee,
                  leg[i]);
     }
     const Vec3 F = result_.f_c.segment<3>(0), M = result_.f_c.segment<3>(3);

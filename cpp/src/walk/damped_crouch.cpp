@@ -39,7 +39,7 @@ DampedCrouch::DampedCrouch(const Robot& robot, double dt)
   }
 }
 
-double DampedCrouch::torque(const Dynamics& dynamics, VecX& tau) const {
+double DampedCrouch::crouch_torque(const Dynamics& dynamics, VecX& tau) const {
   double ratio = 0.0;
   for (int j = 0; j < tau.size(); ++j) {
     const double wanted = d_[j] * ((q_[j] - dynamics.q[j]) / kTime - dynamics.dq[6 + j]);

@@ -44,8 +44,6 @@ std::string to_string(SpeedLimit limit) {
       return "torque of a hip";
     case SpeedLimit::kKnee:
       return "torque of a knee";
-    case SpeedLimit::kAnkle:
-      return "torque of an ankle";
     case SpeedLimit::kYawFriction:
       return "friction against turning on the sole";
     case SpeedLimit::kFriction:

@@ -500,7 +500,7 @@ void WalkingController::note_body() {
 }
 
 void WalkingController::crouch() {
-  out_.torque_ratio = crouch_.torque(robot_.dynamics(), out_.tau);
+  out_.torque_ratio = crouch_.crouch_torque(robot_.dynamics(), out_.tau);
   out_.saturated = out_.torque_ratio > 1.0;
   // Nothing else is decided any more.
   out_.zmp_des = out_.zmp_ref = out_.zmp_est = out_.zmp_lower = out_.zmp_upper = Vec2::Constant(kNaN);

@@ -16,7 +16,7 @@ class DampedCrouch {
   DampedCrouch(const Robot& robot, double dt);
 
   /// Writes the torque (joints,) [N m] into `tau`; returns its largest ratio to a limit before it is cut. Allocates nothing.
-  double torque(const Dynamics& dynamics, VecX& tau) const;
+  double crouch_torque(const Dynamics& dynamics, VecX& tau) const;
 
   const VecX& posture() const { return q_; }  ///< of the crouch (joints,) [rad]
   const VecX& damping() const { return d_; }  ///< d_j (joints,) [N m s/rad]

@@ -16,7 +16,7 @@ enum class Fall : int { kNone = 0, kHeight, kTilt, kFootTipped, kNonFinite, kNoC
 std::string to_string(Fall fall);
 
 /// What keeps a commanded velocity down.
-enum class SpeedLimit : int { kNone = 0, kReach, kHip, kKnee, kAnkle, kYawFriction, kFriction };
+enum class SpeedLimit : int { kNone = 0, kReach, kHip, kKnee, kYawFriction, kFriction };
 std::string to_string(SpeedLimit limit);
 
 /// A fall that is foreseen: since when, why, and how far the DCM was then beyond what any foothold within reach can catch.
@@ -110,8 +110,8 @@ void visit_columns(Visitor&& v) {
     "Live velocity command that is in force; it is NaN while the velocity profile leads.");
   v(
       "command_limit", [](const Out& out) { return static_cast<int>(out.command_limit); }, kOne, "", "",
-      "What keeps the live command down: 0 nothing, 1 the reach of the legs, 2 torque of a hip, 3 of a knee, 4 of an "
-      "ankle, 5 friction against turning on the sole, 6 friction against sliding.");
+      "What keeps the live command down: 0 nothing, 1 the reach of the legs, 2 torque of a hip, 3 of a knee, 4 "
+      "friction against turning on the sole, 5 friction against sliding.");
   v("v_plan", &Out::v_plan, kPlanar, "m/s, rad/s", "H",
     "Planned velocity: that of the command or the profile, changed no faster than the steps can follow.");
   v("v_des", &Out::v_des, kPlanar, "m/s, rad/s", "H",
