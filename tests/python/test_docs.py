@@ -2,6 +2,7 @@
 
 import contextlib
 import functools
+import importlib.util
 import re
 import shlex
 import subprocess
@@ -160,3 +161,48 @@ def test_a_howto_is_short(page):
 
 def test_there_are_the_howtos_that_a_newcomer_looks_for():
     assert {page.stem for page in HOWTOS} >= {"sweep_speeds", "push", "circle", "compare", "standing_torque"}
+
+
+# ---- the numbers of the README
+
+# What the README says, and the page that a benchmark writes where that number stands: as (words, page, words there).
+CLAIMS = [
+    (
+        r"walks at ([\d.]+) m/s within its torque limits",
+        "walk_anywhere.md",
+        r"every torque within its limit: ([\d.]+) m/s",
+    ),
+    (r"falls beyond ([\d.]+) m/s", "walk_anywhere.md", r"Highest speed that is kept for 30 s: ([\d.]+) m/s"),
+    (r"descriptions?, (\d+) \(MuJoCo 2\.2\.2\)", "random_robots.md", r"MuJoCo 2\.2\.2: (\d+) of 100 walk"),
+    (r"all (100) \(4\.0\.0\) walk", "random_robots.md", r"MuJoCo 4\.0\.0: (\d+) of 100 walk"),
+    (r"takes ([\d.]+) µs where `mj_step1`", "benchmarks.md", r"on the terms of mj_step1 \| [\d.]+ \| ([\d.]+)"),
+    (r"and (\d+) µs from the state alone", "benchmarks.md", r"from the state alone \| [\d.]+ \| ([\d.]+)"),
+    (r"beside (\d+) µs of `mj_step`", "benchmarks.md", r"\| mj_step \| [\d.]+ \| ([\d.]+)"),
+    (r"120 s\s+runs at (\d+) × real time", "benchmarks.md", r"simulate, 120 s recorded \| ([\d.]+)"),
+    (
+        r"TSID takes (\d+) times as long for a cycle in double support",
+        "benchmarks.md",
+        r"TSID, tick, C\+\+ \|.*?\|.*?\*\*([\d.]+) ×",
+    ),
+    (r"and (\d+) times as\s+long in single support", "benchmarks.md", r"TSID, tick, C\+\+ \|.*?\*\*([\d.]+) ×"),
+]
+
+
+@pytest.mark.parametrize(("said", "page", "measured"), CLAIMS, ids=[page for _, page, _ in CLAIMS])
+def test_a_number_of_the_readme_is_that_of_the_page_that_a_benchmark_writes(said, page, measured):
+    claim = re.search(said, (ROOT / "README.md").read_text(encoding="utf-8"))
+    values = [float(found) for found in re.findall(measured, (DOCS / page).read_text(encoding="utf-8"))]
+    assert claim, f"the README does not say {said}"
+    assert values, f"docs/{page} does not say {measured}"
+    digits = len(claim.group(1).partition(".")[2])
+    assert float(claim.group(1)) in [round(value, digits) for value in values]
+
+
+def test_the_readme_prints_what_its_command_measures():
+    spec = importlib.util.spec_from_file_location("make_numbers", DOCS / "make_numbers.py")
+    make_numbers = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(make_numbers)
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    for name, lines in make_numbers.blocks().items():
+        block = "\n".join((f"<!-- {name} -->", *lines, "<!-- end -->"))
+        assert block in readme, f"run `python docs/make_numbers.py`: {name} is now\n" + "\n".join(lines)
