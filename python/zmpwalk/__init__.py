@@ -85,6 +85,7 @@ __all__ = [
     "Foot",
     "FrameTask",
     "GaitGenerator",
+    "Humanoid",
     "InputError",
     "JointMotion",
     "JointTask",
@@ -123,6 +124,7 @@ __all__ = [
     "describe",
     "distribute_wrench",
     "errors",
+    "humanoid",
     "iterate_reference",
     "judge",
     "load_robot",
@@ -152,6 +154,7 @@ _LATER = {
     "plot": (),
     "pushes": ("PushMap", "push_map"),
     "render": (),
+    "robots.humanoid": ("Humanoid", "humanoid"),
     "sweeps": ("Sweep", "sweep"),
     "troubles": ("Robustness", "robustness"),
     "verdict": ("Verdict", "judge"),
@@ -163,6 +166,7 @@ if TYPE_CHECKING:  # so that type checkers know what these hold
     from . import plot, render, view
     from .capture import PendulumWalk, pendulum_limit
     from .pushes import PushMap, push_map
+    from .robots.humanoid import Humanoid, humanoid
     from .sweeps import Sweep, sweep
     from .troubles import Robustness, robustness
     from .verdict import Verdict, judge
