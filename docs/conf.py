@@ -40,6 +40,12 @@ def shape_docstring(app: Any, what: str, name: str, of: Any, options: Any, lines
         lines += ["", ".. code-block:: none", "", *(f"   {line}" if line.strip() else "" for line in rest), ""]
 
 
+def skip_foreign(app: Any, what: str, name: str, of: Any, skip: bool, options: Any) -> bool | None:
+    """What another package gave to a class of ours, such as Matplotlib to its figures, is explained there."""
+    return True if not (getattr(of, "__module__", None) or "zmpwalk").startswith("zmpwalk") else None
+
+
 def setup(app: Any) -> None:
     """Called by Sphinx."""
+    app.connect("autodoc-skip-member", skip_foreign)
     app.connect("autodoc-process-docstring", shape_docstring)
