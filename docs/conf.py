@@ -12,10 +12,13 @@ extensions = ["myst_parser", "sphinx.ext.autodoc"]
 source_suffix = {".md": "markdown"}
 master_doc = "index"
 html_theme = "alabaster"
-html_theme_options = {"page_width": "1100px", "description": "Humanoids walk in MuJoCo, with a ZMP known beforehand"}
+html_theme_options = {
+    "page_width": "1300px",
+    "body_max_width": "auto",
+    "description": "Humanoids walk in MuJoCo, with a ZMP known beforehand",
+}
 html_title = "zmpwalk"
 exclude_patterns = ["images"]
-myst_enable_extensions = ["dollarmath"]
 myst_heading_anchors = 3
 suppress_warnings = [
     "myst.header"
