@@ -8,7 +8,6 @@ import math
 import os
 import platform
 import threading
-from concurrent.futures import FIRST_EXCEPTION, ThreadPoolExecutor, wait
 from dataclasses import dataclass, field
 from typing import Any, Callable, Iterable, Mapping, Sequence, Union
 
@@ -371,12 +370,14 @@ def simulate_batch(
         done[i] = duration
         return trace
 
-    with ThreadPoolExecutor(threads, thread_name_prefix="zmpwalk") as pool:
+    from concurrent import futures as threaded
+
+    with threaded.ThreadPoolExecutor(threads, thread_name_prefix="zmpwalk") as pool:
         waiting = {pool.submit(walk, i): i for i in range(len(jobs))}
         futures = list(waiting)
         try:
             while waiting:
-                finished, _ = wait(waiting, timeout=0.05, return_when=FIRST_EXCEPTION)
+                finished, _ = threaded.wait(waiting, timeout=0.05, return_when=threaded.FIRST_EXCEPTION)
                 for future in finished:
                     future.result()
                     del waiting[future]

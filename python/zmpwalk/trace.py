@@ -26,8 +26,8 @@ from .robots import description_from_dict
 
 __all__ = ["ABOVE", "FORMAT_VERSION", "Fall", "Trace"]
 
-# What a trace does by means of rooms that stand on this one. `zmpwalk/__init__.py` puts their functions here under the
-# names of the methods that call them, so that this room imports none of them.
+# What a trace, and what is made of traces, does by means of rooms that stand above. `zmpwalk/__init__.py` puts their
+# functions here under the names of the methods that call them, so that the rooms below import none of them.
 ABOVE: dict[str, Callable[..., Any]] = {}
 
 # The version grows when an older zmpwalk would read a file wrongly: because the file is laid out in another way, or a

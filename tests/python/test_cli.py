@@ -284,10 +284,10 @@ def test_our_own_fault_is_exit_1_and_says_so(monkeypatch, capsys):
 
 
 @pytest.mark.parametrize(("name", "code"), [("zmpwalk", 2), ("notebook", 1)])
-def test_wrong_mujoco_is_one_line_for_the_command_and_an_error_for_others(name, code):
+def test_wrong_mujoco_is_one_line_for_the_command_and_an_error_for_others(name, code, tmp_path):
+    (tmp_path / "mujoco-9.9.9.dist-info").mkdir()
     script = (
-        "import importlib.metadata, sys, mujoco;"
-        "importlib.metadata.version = lambda package: {'mujoco': '9.9.9'}.get(package, '1.0');"
+        f"import sys, mujoco; sys.path.insert(0, {str(tmp_path)!r});"
         f"mujoco.__version__ = '9.9.9'; sys.argv = ['/somewhere/bin/{name}']; import zmpwalk"
     )
     done = subprocess.run([sys.executable, "-c", script], stderr=subprocess.PIPE, text=True, check=False)

@@ -13,7 +13,6 @@ from ..errors import InputError, ModelError
 from .description import description_from_dict, model_file, read_description, read_json, renamed
 from .menagerie import PREFIX, menagerie_file
 from .proposal import Proposal, appraise, describe, propose
-from .urdf import read_urdf
 
 __all__ = ["ROBOTS", "Robot", "available_robots", "examine", "load_robot", "read_robot", "robot_file"]
 
@@ -162,17 +161,23 @@ def _find(robot: str | os.PathLike) -> Path:
     )
 
 
+def _from_urdf(path: Path) -> tuple[mujoco.MjModel, list[str]]:
+    from .urdf import read_urdf  # what reads XML is slow to import
+
+    return read_urdf(path)
+
+
 def _said_of_urdf(robot: Robot) -> list[str]:
     """What was added to a URDF so that it can walk."""
     is_path = isinstance(robot, (str, os.PathLike)) and Path(robot).suffix.lower() == ".urdf"
-    return read_urdf(Path(robot).expanduser())[1] if is_path else []  # type: ignore[arg-type]
+    return _from_urdf(Path(robot).expanduser())[1] if is_path else []  # type: ignore[arg-type]
 
 
 def _load_xml(path: Path) -> mujoco.MjModel:
     if not path.is_file():
         raise InputError(f"{path}: no such file")
     if path.suffix.lower() == ".urdf":
-        return read_urdf(path)[0]
+        return _from_urdf(path)[0]
     try:
         return mujoco.MjModel.from_xml_path(str(path))
     except Exception as error:  # MuJoCo raises ValueError, or its own FatalError
