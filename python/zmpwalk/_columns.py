@@ -30,8 +30,8 @@ class RecordedColumns:
     """(T, 3) [m/s, rad/s]. Live velocity command that is in force; it is NaN while the velocity profile leads."""
 
     command_limit: np.ndarray
-    """(T,). What keeps the live command down: 0 nothing, 1 the reach of the legs, 2 torque of a hip, 3 of a knee, 4 of
-    an ankle, 5 friction against turning on the sole, 6 friction against sliding."""
+    """(T,). What keeps the live command down: 0 nothing, 1 the reach of the legs, 2 torque of a hip, 3 of a knee, 4
+    friction against turning on the sole, 5 friction against sliding."""
 
     v_plan: np.ndarray
     """(T, 3) [m/s, rad/s]. Planned velocity: that of the command or the profile, changed no faster than the steps can

@@ -4031,7 +4031,7 @@ class CycleOutput:
     @property
     def command_limit(self) -> int:
         """
-        What keeps the live command down: 0 nothing, 1 the reach of the legs, 2 torque of a hip, 3 of a knee, 4 of an ankle, 5 friction against turning on the sole, 6 friction against sliding.
+        What keeps the live command down: 0 nothing, 1 the reach of the legs, 2 torque of a hip, 3 of a knee, 4 friction against turning on the sole, 5 friction against sliding.
         """
     @property
     def damped(self) -> bool:

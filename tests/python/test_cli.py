@@ -16,7 +16,12 @@ from zmpwalk.cli import options, terminal
 FIGURES = {
     f"fig{name}.png" for name in ("2_iteration", "4_tracking", "5_switch", "6_velocity", "7_sagittal", "8_lateral")
 } | {"footprints.png", "estimate.png"}
-FALLS = ("--set", "wrench_distribution=false", "--set", "contact_damping=0")  # loses its balance within half a second, and crouches
+FALLS = (
+    "--set",
+    "wrench_distribution=false",
+    "--set",
+    "contact_damping=0",
+)  # loses its balance within half a second, and crouches
 
 
 def lines(text):
