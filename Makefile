@@ -13,7 +13,7 @@ DEMO_OUT ?= out/demo
 SANITIZE ?= address,undefined
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: help demo test pytest ctest sanitize bench ladder pushes soak instructions same native peers smoke wheel wheels wheels-arm wheel-check adapters matrix sdist stubs columns format lint check-all clean
+.PHONY: help demo test pytest ctest sanitize bench ladder pushes soak instructions same native peers smoke wheel wheels wheels-arm wheel-check adapters matrix sdist stubs columns docs format lint check-all clean
 
 help:
 	@echo 'make demo         walk the paper'\''s experiment; figures, trace and summary go to $(DEMO_OUT)'
@@ -34,6 +34,7 @@ help:
 	@echo 'make format       clang-format, ruff, gersemi, nbstripout;  make lint  the same as a check, and mypy'
 	@echo 'make stubs        python/zmpwalk/_core.pyi from the built module, and `make columns`'
 	@echo 'make columns      docs/columns.md and python/zmpwalk/_columns.py from the table of recorded columns'
+	@echo 'make docs         the site of docs/ into build/site; warnings are errors, and it needs no network'
 	@echo 'make check-all    test on every Python there is (3.8 to 3.13), sanitize, lint, wheel-check'
 	@echo 'make clean        remove build/ and dist/'
 	@echo
@@ -258,6 +259,10 @@ lint: $(B)/dev.stamp $(B)/installed.stamp
 
 columns: $(B)/installed.stamp
 	$(PY) docs/make_columns.py
+
+docs: $(B)/test.stamp $(B)/installed.stamp
+	$(PY) -m sphinx -q -W --keep-going -b html docs build/site
+	@echo 'the site is build/site/index.html'
 
 stubs: $(B)/dev.stamp $(B)/installed.stamp columns
 	cd $(B) && $(VENV)/bin/pybind11-stubgen zmpwalk._core -o stubs >/dev/null

@@ -87,7 +87,7 @@ py::tuple run(Simulation& simulation, WalkingController& controller, double dura
   info["fall_time"] = result.fall_time;
   info["fall_cause"] = to_string(result.fell);
   info["alarm_time"] = result.alarm_time;
-  info["alarm_cause"] = to_string(result.alarm);
+  info["alarm_cause"] = result.alarm_text;
   info["stopped"] = result.stopped;
   info["wall_time"] = result.wall_time;
   std::vector<Column> times;

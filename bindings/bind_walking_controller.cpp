@@ -22,6 +22,12 @@ void bind_walking_controller(py::module_& m) {
   out.def_property_readonly(
       "fall_cause", [](const CycleOutput& o) { return to_string(o.fell); },
       "Why the robot fell; it is empty where the robot did not.");
+  out.def_property_readonly(
+      "foreseen_time", [](const CycleOutput& o) { return o.foreseen.time; },
+      "Since when a fall is foreseen [s]; it is NaN where none is.");
+  out.def_property_readonly(
+      "foreseen_cause", [](const CycleOutput& o) { return to_string(o.foreseen); },
+      "Why a fall is foreseen; it is empty where none is.");
   out.def("__copy__", [](const CycleOutput& o) { return CycleOutput(o); });
   out.def("__repr__", [](const CycleOutput& o) {
     const Eigen::IOFormat row(4, Eigen::DontAlignCols, ", ", ", ", "", "", "[", "]");
@@ -107,8 +113,9 @@ void bind_walking_controller(py::module_& m) {
           "Commands a velocity: from the next cycle on the robot walks with (vx, vy, wz) in the heading frame instead "
           "of the "
           "profile's\nvelocity, until reset().\n\n"
-          "It may be called from any thread, at any time. A velocity that the legs cannot reach is scaled down "
-          "(`within_reach`), and the\nrobot takes it up no faster than the settings forward_jump, "
+          "It may be called from any thread, at any time. A velocity that reach, torques or friction do not allow is "
+          "scaled down "
+          "(`within_limits`), and the\nrobot takes it up no faster than the settings forward_jump, "
           "forward_acceleration, ... allow.\n\n"
           "Args:\n    vx, vy: [m/s].\n    wz: [rad/s].\n\nRaises:\n    InputError: not finite.")
       .def(
@@ -171,15 +178,35 @@ void bind_walking_controller(py::module_& m) {
           "torque_limit", [](const WalkingController& c) { return c.robot().torque_limit(); },
           "torque limit of each joint, infinite without (joints,) [N m]")
       .def_property_readonly(
-          "mass", [](const WalkingController& c) { return c.robot().dynamics().mass; }, "mass of the robot [kg]: that of the model, and as a walk finds it to be (`observer`)")
+          "mass", [](const WalkingController& c) { return c.robot().dynamics().mass; },
+          "mass of the robot [kg]: that of the model, and as a walk finds it to be (`observer`)")
       .def_property_readonly("com_height", &WalkingController::com_height, "height z_c of the COM over the soles [m]")
       .def_property_readonly("Tc", &WalkingController::Tc, "time constant of the pendulum, sqrt(z_c / g) [s]")
       .def("knee_share", &WalkingController::knee_share, "speed"_a,
            "Share of the knee's torque limit that its own rotor and damping take as the foot lifts, at a walking speed "
            "[m/s].")
       .def_property_readonly(
-          "speed_limit", [](const WalkingController& c) { return c.reach().speed_limit(); },
-          "largest v_x that the legs reach [m/s]")
+          "speed_limit", [](const WalkingController& c) { return c.command_limit().axes()[0].most; },
+          "largest v_x that reach, torques and friction allow [m/s]")
+      .def_property_readonly(
+          "speed_limits",
+          [](const WalkingController& c) {
+            py::dict limits;
+            const char* names[] = {"forward", "backward", "sideways", "turning"};
+            for (int i = 0; i < 4; ++i) {
+              const AxisLimit& axis = c.command_limit().axes()[i];
+              limits[names[i]] = py::make_tuple(axis.most, to_string(axis));
+            }
+            return limits;
+          },
+          "largest velocity forward, backward, sideways [m/s] and turning [rad/s], and what limits each, by name; "
+          "together they bound the sum of squares of v / most")
+      .def(
+          "within_limits",
+          [](const WalkingController& c, const Vec3& velocity) { return c.command_limit().within(velocity); },
+          "velocity"_a,
+          "The velocity (v_x, v_y, w_z) as command() takes it: made smaller until reach, torques and friction allow "
+          "it.")
       .def("plan_mismatch", &WalkingController::plan_mismatch, "duration"_a,
            "Largest difference between the speed of the footsteps and the planned one within `duration` [s], in m/s; 0 "
            "where "

@@ -11,6 +11,7 @@ import typing
 __all__: list[str] = [
     "ArmsSettings",
     "ComSettings",
+    "CommandSettings",
     "Contact",
     "ContactSettings",
     "ContactSpace",
@@ -295,13 +296,25 @@ class ObserverSettingsDict(typing.TypedDict, total=False):
     bias_most: float
     sole_tilt: float
 
+class CommandSettingsDict(typing.TypedDict, total=False):
+    limit: bool
+    share: float
+
 class FallSettingsDict(typing.TypedDict, total=False):
     height: float
     tilt: float
     foot_tilt: float
+    foresee: bool
+    crouch: bool
+    margin: float
+    confirm_time: float
 
 class WalkSettings:
     __hash__: typing.ClassVar[None] = None
+    @staticmethod
+    def __repr__(settings: WalkSettings) -> str: ...
+    @staticmethod
+    def _repr_html_(settings: WalkSettings) -> str: ...
     @staticmethod
     def find(name: str) -> Setting:
         """
@@ -319,7 +332,6 @@ class WalkSettings:
     def __deepcopy__(self, arg0: dict) -> WalkSettings: ...
     def __eq__(self, arg0: WalkSettings) -> bool: ...
     def __getstate__(self) -> dict: ...
-    def __repr__(self) -> str: ...
     def __setstate__(self, arg0: dict) -> None: ...
     def to_dict(self) -> dict:
         """
@@ -471,10 +483,17 @@ class WalkSettings:
         attitude_bias_time: float = ...,
         attitude_bias_most: float = ...,
         attitude_sole_tilt: float = ...,
+        command: CommandSettings | CommandSettingsDict = ...,
+        command_limit: bool = ...,
+        command_share: float = ...,
         fall: FallSettings | FallSettingsDict = ...,
         fall_height: float = ...,
         fall_tilt: float = ...,
         fall_foot_tilt: float = ...,
+        fall_foresee: bool = ...,
+        fall_crouch: bool = ...,
+        fall_margin: float = ...,
+        fall_confirm_time: float = ...,
     ) -> None:
         """Every gain, bound and switch of the walk, in groups: `settings.tracking.gain`.
 
@@ -565,7 +584,7 @@ class WalkSettings:
             rate: How fast the planned velocity may change, whatever a profile or command asks for at once. A dict, or RateSettings.
                 limit (rate_limit): Whether the planned velocity changes no faster than steps can follow. With false profiles and commands are taken as they are. Default: True.
                 forward_jump: Change of the forward velocity v_x that is taken up at once. A larger one follows at forward_acceleration or forward_deceleration. Unit: m/s. Default: 0.036 sqrt(g z_c).
-                sideways_jump: Change of the sideways velocity v_y that is taken up at once. A larger one follows at sideways_acceleration. Unit: m/s. Default: 0.03 sqrt(g z_c).
+                sideways_jump: Change of the sideways velocity v_y that is taken up at once. A larger one follows at sideways_acceleration. Unit: m/s. Default: 0 sqrt(g z_c).
                 turning_jump: Change of the turning velocity w_z that is taken up at once. A larger one follows at turning_acceleration. Unit: rad/s. Default: 0.07 / T_c.
                 forward_acceleration: Rate at which the forward velocity v_x moves away from zero. Unit: m/s^2. Default: 0.02 g.
                 forward_deceleration: Rate at which the forward velocity v_x goes back to zero. Unit: m/s^2. Default: 0.056 g.
@@ -618,10 +637,17 @@ class WalkSettings:
                 bias_time (attitude_bias_time): Time constant with which a bias of the measured attitude is found. Unit: s. Default: 1.8 T_c.
                 bias_most (attitude_bias_most): Most that is made up for of a bias of the measured attitude. Unit: rad. Default: 0.09.
                 sole_tilt (attitude_sole_tilt): Tilt of the standing sole from level that shows no bias yet: contacts give way a little. Unit: rad. Default: 0.004.
-            fall: What counts as a fall, which ends the run. A dict, or FallSettings.
+            command: Which velocities may be commanded. A dict, or CommandSettings.
+                limit (command_limit): Whether commands and profiles are kept within what the torques of the legs and the friction under the soles give. With false only the reach of the legs limits them. Default: True.
+                share (command_share): Share of those torques and that friction that a commanded velocity may use. More than 1 allows faster walks, which cut torques and slide. Default: 1.0.
+            fall: What counts as a fall, when one is foreseen, and what the robot does then. A dict, or FallSettings.
                 height (fall_height): The robot has fallen where its COM is less high over the support foot than this share of its height at the start. Default: 0.8.
                 tilt (fall_tilt): The robot has fallen where its trunk tilts by more than this. Unit: rad. Default: 0.8.
-                foot_tilt (fall_foot_tilt): The robot has fallen where the only foot that stands tilts by more than this, as it tips over its edge. Unit: rad. Default: 0.3.
+                foot_tilt (fall_foot_tilt): A fall is foreseen where the only foot that stands tilts by more than this, as it tips over its edge. Unit: rad. Default: 0.45.
+                foresee (fall_foresee): Whether a fall is foreseen: it is certain once no foothold within reach, and no time of landing, can catch the DCM (COM + T_c times its velocity) any more. Default: True.
+                crouch (fall_crouch): Whether the robot crouches once a fall is foreseen: the legs bend and every joint is damped, until the walk is started anew. With false it walks on as if nothing were foreseen. Default: True.
+                margin (fall_margin): How far the DCM must be beyond what any foothold within reach can catch before the fall counts as certain. Trunk, arms and what the pendulum does not know may bring back that much. Unit: m. Default: 0.03 z_c.
+                confirm_time (fall_confirm_time): How long the DCM must be that far off without a break before the fall counts as certain: a noisy measurement alone fells nobody. Unit: s. Default: 0.04 T_c.
 
         Raises:
             InputError: an unknown name or a value of the wrong type.
@@ -765,10 +791,17 @@ class WalkSettings:
         attitude_bias_time: float = ...,
         attitude_bias_most: float = ...,
         attitude_sole_tilt: float = ...,
+        command: CommandSettings | CommandSettingsDict = ...,
+        command_limit: bool = ...,
+        command_share: float = ...,
         fall: FallSettings | FallSettingsDict = ...,
         fall_height: float = ...,
         fall_tilt: float = ...,
         fall_foot_tilt: float = ...,
+        fall_foresee: bool = ...,
+        fall_crouch: bool = ...,
+        fall_margin: float = ...,
+        fall_confirm_time: float = ...,
     ) -> None:
         """Changes settings, named as in the constructor: all of them or, if one is refused, none.
 
@@ -851,8 +884,13 @@ class WalkSettings:
     @observer.setter
     def observer(self, value: ObserverSettings | ObserverSettingsDict) -> None: ...
     @property
+    def command(self) -> CommandSettings:
+        """Which velocities may be commanded."""
+    @command.setter
+    def command(self, value: CommandSettings | CommandSettingsDict) -> None: ...
+    @property
     def fall(self) -> FallSettings:
-        """What counts as a fall, which ends the run."""
+        """What counts as a fall, when one is foreseen, and what the robot does then."""
     @fall.setter
     def fall(self, value: FallSettings | FallSettingsDict) -> None: ...
     @property
@@ -1224,7 +1262,7 @@ class WalkSettings:
     def forward_jump(self, value: float) -> None: ...
     @property
     def sideways_jump(self) -> float:
-        """rate.sideways_jump: Change of the sideways velocity v_y that is taken up at once. A larger one follows at sideways_acceleration. Unit: m/s. Default: 0.03 sqrt(g z_c)."""
+        """rate.sideways_jump: Change of the sideways velocity v_y that is taken up at once. A larger one follows at sideways_acceleration. Unit: m/s. Default: 0 sqrt(g z_c)."""
     @sideways_jump.setter
     def sideways_jump(self, value: float) -> None: ...
     @property
@@ -1453,6 +1491,16 @@ class WalkSettings:
     @attitude_sole_tilt.setter
     def attitude_sole_tilt(self, value: float) -> None: ...
     @property
+    def command_limit(self) -> bool:
+        """command.limit: Whether commands and profiles are kept within what the torques of the legs and the friction under the soles give. With false only the reach of the legs limits them. Default: True."""
+    @command_limit.setter
+    def command_limit(self, value: bool) -> None: ...
+    @property
+    def command_share(self) -> float:
+        """command.share: Share of those torques and that friction that a commanded velocity may use. More than 1 allows faster walks, which cut torques and slide. Default: 1.0."""
+    @command_share.setter
+    def command_share(self, value: float) -> None: ...
+    @property
     def fall_height(self) -> float:
         """fall.height: The robot has fallen where its COM is less high over the support foot than this share of its height at the start. Default: 0.8."""
     @fall_height.setter
@@ -1464,9 +1512,29 @@ class WalkSettings:
     def fall_tilt(self, value: float) -> None: ...
     @property
     def fall_foot_tilt(self) -> float:
-        """fall.foot_tilt: The robot has fallen where the only foot that stands tilts by more than this, as it tips over its edge. Unit: rad. Default: 0.3."""
+        """fall.foot_tilt: A fall is foreseen where the only foot that stands tilts by more than this, as it tips over its edge. Unit: rad. Default: 0.45."""
     @fall_foot_tilt.setter
     def fall_foot_tilt(self, value: float) -> None: ...
+    @property
+    def fall_foresee(self) -> bool:
+        """fall.foresee: Whether a fall is foreseen: it is certain once no foothold within reach, and no time of landing, can catch the DCM (COM + T_c times its velocity) any more. Default: True."""
+    @fall_foresee.setter
+    def fall_foresee(self, value: bool) -> None: ...
+    @property
+    def fall_crouch(self) -> bool:
+        """fall.crouch: Whether the robot crouches once a fall is foreseen: the legs bend and every joint is damped, until the walk is started anew. With false it walks on as if nothing were foreseen. Default: True."""
+    @fall_crouch.setter
+    def fall_crouch(self, value: bool) -> None: ...
+    @property
+    def fall_margin(self) -> float:
+        """fall.margin: How far the DCM must be beyond what any foothold within reach can catch before the fall counts as certain. Trunk, arms and what the pendulum does not know may bring back that much. Unit: m. Default: 0.03 z_c."""
+    @fall_margin.setter
+    def fall_margin(self, value: float) -> None: ...
+    @property
+    def fall_confirm_time(self) -> float:
+        """fall.confirm_time: How long the DCM must be that far off without a break before the fall counts as certain: a noisy measurement alone fells nobody. Unit: s. Default: 0.04 T_c."""
+    @fall_confirm_time.setter
+    def fall_confirm_time(self, value: float) -> None: ...
 
 class GaitSettings:
     """
@@ -1955,7 +2023,7 @@ class RateSettings:
     def forward_jump(self, value: float) -> None: ...
     @property
     def sideways_jump(self) -> float:
-        """Change of the sideways velocity v_y that is taken up at once. A larger one follows at sideways_acceleration. Unit: m/s. Default: 0.03 sqrt(g z_c)."""
+        """Change of the sideways velocity v_y that is taken up at once. A larger one follows at sideways_acceleration. Unit: m/s. Default: 0 sqrt(g z_c)."""
     @sideways_jump.setter
     def sideways_jump(self, value: float) -> None: ...
     @property
@@ -2303,9 +2371,36 @@ class ObserverSettings:
     @sole_tilt.setter
     def sole_tilt(self, value: float) -> None: ...
 
+class CommandSettings:
+    """
+    Which velocities may be commanded.
+    """
+
+    __hash__: typing.ClassVar[None] = None
+    def __copy__(self) -> CommandSettings: ...
+    def __deepcopy__(self, arg0: dict) -> CommandSettings: ...
+    def __eq__(self, arg0: CommandSettings) -> bool: ...
+    def __getstate__(self) -> dict: ...
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: dict) -> None: ...
+    def to_dict(self) -> dict:
+        """
+        The group's settings by name, as plain Python values.
+        """
+    @property
+    def limit(self) -> bool:
+        """Whether commands and profiles are kept within what the torques of the legs and the friction under the soles give. With false only the reach of the legs limits them. Default: True."""
+    @limit.setter
+    def limit(self, value: bool) -> None: ...
+    @property
+    def share(self) -> float:
+        """Share of those torques and that friction that a commanded velocity may use. More than 1 allows faster walks, which cut torques and slide. Default: 1.0."""
+    @share.setter
+    def share(self, value: float) -> None: ...
+
 class FallSettings:
     """
-    What counts as a fall, which ends the run.
+    What counts as a fall, when one is foreseen, and what the robot does then.
     """
 
     __hash__: typing.ClassVar[None] = None
@@ -2331,9 +2426,29 @@ class FallSettings:
     def tilt(self, value: float) -> None: ...
     @property
     def foot_tilt(self) -> float:
-        """The robot has fallen where the only foot that stands tilts by more than this, as it tips over its edge. Unit: rad. Default: 0.3."""
+        """A fall is foreseen where the only foot that stands tilts by more than this, as it tips over its edge. Unit: rad. Default: 0.45."""
     @foot_tilt.setter
     def foot_tilt(self, value: float) -> None: ...
+    @property
+    def foresee(self) -> bool:
+        """Whether a fall is foreseen: it is certain once no foothold within reach, and no time of landing, can catch the DCM (COM + T_c times its velocity) any more. Default: True."""
+    @foresee.setter
+    def foresee(self, value: bool) -> None: ...
+    @property
+    def crouch(self) -> bool:
+        """Whether the robot crouches once a fall is foreseen: the legs bend and every joint is damped, until the walk is started anew. With false it walks on as if nothing were foreseen. Default: True."""
+    @crouch.setter
+    def crouch(self, value: bool) -> None: ...
+    @property
+    def margin(self) -> float:
+        """How far the DCM must be beyond what any foothold within reach can catch before the fall counts as certain. Trunk, arms and what the pendulum does not know may bring back that much. Unit: m. Default: 0.03 z_c."""
+    @margin.setter
+    def margin(self, value: float) -> None: ...
+    @property
+    def confirm_time(self) -> float:
+        """How long the DCM must be that far off without a break before the fall counts as certain: a noisy measurement alone fells nobody. Unit: s. Default: 0.04 T_c."""
+    @confirm_time.setter
+    def confirm_time(self, value: float) -> None: ...
 
 class VelocityProfile:
     """
@@ -2445,6 +2560,10 @@ class RobotDescription:
     """
     Everything that the controller has to be told about a robot in a model. Bodies, joints and sites are named.
     """
+    @staticmethod
+    def __repr__(description: RobotDescription) -> str: ...
+    @staticmethod
+    def _repr_html_(description: RobotDescription) -> str: ...
     def __init__(
         self,
         *,
@@ -3910,6 +4029,11 @@ class CycleOutput:
         (3,): x y yaw [m/s, rad/s], frame H.
         """
     @property
+    def command_limit(self) -> int:
+        """
+        What keeps the live command down: 0 nothing, 1 the reach of the legs, 2 torque of a hip, 3 of a knee, 4 friction against turning on the sole, 5 friction against sliding.
+        """
+    @property
     def damped(self) -> bool:
         """
         Whether the motion was damped because a leg is nearly straight.
@@ -3948,6 +4072,18 @@ class CycleOutput:
         Why the robot fell; it is empty where the robot did not.
         """
     @property
+    def fall_foreseen(self) -> bool:
+        """
+        Whether a fall is foreseen; it stays so until the walk is started anew.
+        """
+    @property
+    def fall_gap(self) -> float:
+        """
+        How far the DCM (COM + T_c times its velocity) is beyond what any foothold within reach can catch; it is 0 where one can, and NaN where falls are not foreseen.
+
+        [m].
+        """
+    @property
     def fell(self) -> bool:
         """
         Whether the robot has fallen, which ends the walk.
@@ -3972,6 +4108,16 @@ class CycleOutput:
         Place and direction in which the swing foot is to land; it is NaN in double support.
 
         (3,): x y yaw [m, rad], frame W.
+        """
+    @property
+    def foreseen_cause(self) -> str:
+        """
+        Why a fall is foreseen; it is empty where none is.
+        """
+    @property
+    def foreseen_time(self) -> float:
+        """
+        Since when a fall is foreseen [s]; it is NaN where none is.
         """
     @property
     def fresh(self) -> bool:
@@ -4181,7 +4327,7 @@ class WalkingController:
         Commands a velocity: from the next cycle on the robot walks with (vx, vy, wz) in the heading frame instead of the profile's
         velocity, until reset().
 
-        It may be called from any thread, at any time. A velocity that the legs cannot reach is scaled down (`within_reach`), and the
+        It may be called from any thread, at any time. A velocity that reach, torques or friction do not allow is scaled down (`within_limits`), and the
         robot takes it up no faster than the settings forward_jump, forward_acceleration, ... allow.
 
         Args:
@@ -4293,6 +4439,12 @@ class WalkingController:
             InputError: the state is not finite, its terms belong to another, or reset() was not called; nothing is
                 changed.
         """
+    def within_limits(
+        self, velocity: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]
+    ) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        """
+        The velocity (v_x, v_y, w_z) as command() takes it: made smaller until reach, torques and friction allow it.
+        """
     def within_reach(
         self, velocity: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]
     ) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
@@ -4354,7 +4506,12 @@ class WalkingController:
     @property
     def speed_limit(self) -> float:
         """
-        largest v_x that the legs reach [m/s]
+        largest v_x that reach, torques and friction allow [m/s]
+        """
+    @property
+    def speed_limits(self) -> dict:
+        """
+        largest velocity forward, backward, sideways [m/s] and turning [rad/s], and what limits each, by name; together they bound the sum of squares of v / most
         """
     @property
     def task_activations(self) -> list[float]:

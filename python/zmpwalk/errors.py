@@ -5,7 +5,6 @@ A physical event, such as a fall or a clamped ZMP, is never an error: it is a fl
 
 from __future__ import annotations
 
-import difflib
 from typing import Iterable
 
 __all__ = ["DimensionError", "Error", "InputError", "ModelError", "VersionError", "nearest"]
@@ -55,5 +54,7 @@ def nearest(name: str, known: Iterable[str]) -> list[str]:
 
     Usage: `nearest("comm", ["com", "dcom", "tau"])  # -> ["com", "dcom"]`
     """
+    import difflib
+
     names = list(known)
     return difflib.get_close_matches(name, names, 3, 0.5) or sorted(names)

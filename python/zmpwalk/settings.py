@@ -5,18 +5,12 @@ from __future__ import annotations
 import json
 import math
 import os
-import sys
 import textwrap
 from pathlib import Path
 from typing import Any
 
 from ._core import WalkingController, WalkSettings
 from .errors import InputError
-
-if sys.version_info >= (3, 11):
-    import tomllib
-else:
-    import tomli as tomllib
 
 __all__ = ["load_settings", "read_toml", "settings_toml"]
 
@@ -60,6 +54,11 @@ def read_toml(path: str | os.PathLike) -> dict[str, Any]:
 
     Usage: `read_toml("walk.toml")["law"]`
     """
+    try:
+        import tomllib
+    except ImportError:  # before Python 3.11
+        import tomli as tomllib
+
     try:
         return tomllib.loads(Path(path).read_text(encoding="utf-8"))
     except OSError as error:

@@ -9,7 +9,6 @@ import os
 import platform
 import threading
 import warnings
-from concurrent.futures import FIRST_EXCEPTION, ThreadPoolExecutor, wait
 from dataclasses import dataclass, field
 from typing import Any, Callable, Iterable, Mapping, Sequence, Union
 
@@ -25,8 +24,8 @@ from .motion import JointMotion
 from .profiles import Profile, VelocityProfile, profile_of, three
 from .robots import Robot, RobotDescription, describe, description_to_dict, load_robot
 from .robots.load import read_robot
-from .robots.source import Given, Source, given_source
-from .trace import Trace, model_bytes, plain
+from .robots.source import Given, Source, given_source, model_bytes
+from .trace import Trace, plain
 
 __all__ = ["Recorder", "WalkingController", "simulate", "simulate_batch"]
 
@@ -208,6 +207,7 @@ class Recorder:
         self._recorder = _core.Recorder(controller)
         self._robot = robot
         self._cause = ""
+        self._foreseen = (math.nan, "")
 
     def add(self, out: _core.CycleOutput, data: mujoco.MjData) -> None:
         """Record one cycle. Call it right after `mj_step`, because only then are the contact forces of this cycle
@@ -221,6 +221,8 @@ class Recorder:
         """
         self._recorder.add(out, data)
         self._cause = self._cause or str(getattr(out, "fall_cause", "") or "")
+        if out.fall_foreseen and not self._foreseen[1]:
+            self._foreseen = (out.foreseen_time, out.foreseen_cause)
 
     def trace(self) -> Trace:
         """Everything that was recorded so far.
@@ -236,6 +238,8 @@ class Recorder:
             "fell": bool(len(fallen)),
             "fall_time": float(columns["t"][fallen[0]]) if len(fallen) else math.nan,
             "fall_cause": self._cause,
+            "alarm_time": self._foreseen[0],
+            "alarm_cause": self._foreseen[1],
         }
         model, meta = _describe_run(self._controller, self._robot, info, source="recorder")
         return Trace(columns, meta, model, copy=False, source=self._controller.source)
@@ -281,9 +285,10 @@ def simulate(
             a body during [t, t + duration). The body None is the trunk: the first body whose name holds "torso" or
             "trunk", else the root body. `Push.impulse` makes one from its impulse. The controller is not told.
         on_fall: "stop" ends the walk where the controller says that the robot has fallen. "go_on" takes this for an
-            alarm, which `meta["alarm_time"]` keeps, and ends only where the robot lies on the ground (something beside
+            alarm and ends only where the robot lies on the ground (something beside
             its legs touches it, or the COM has come down to 30 % of its height) or is not finite: these alone are
-            falls then.
+            falls then. `trace.fall` keeps the fall, and since when it was foreseen; a fall that is only foreseen ends
+            no walk.
         uncertainty: what the controller does not know, or not in time: an `Uncertainty`, or a dictionary of its fields.
         simulated: the robot that is simulated, where it is not the one that the controller knows: it must have the
             bodies that the description names, and the same joints in the same order. `uncertainty` changes this one.
@@ -379,12 +384,14 @@ def simulate_batch(
         done[i] = duration
         return trace
 
-    with ThreadPoolExecutor(threads, thread_name_prefix="zmpwalk") as pool:
+    from concurrent import futures as threaded
+
+    with threaded.ThreadPoolExecutor(threads, thread_name_prefix="zmpwalk") as pool:
         waiting = {pool.submit(walk, i): i for i in range(len(jobs))}
         futures = list(waiting)
         try:
             while waiting:
-                finished, _ = wait(waiting, timeout=0.05, return_when=FIRST_EXCEPTION)
+                finished, _ = threaded.wait(waiting, timeout=0.05, return_when=threaded.FIRST_EXCEPTION)
                 for future in finished:
                     future.result()
                     del waiting[future]

@@ -24,12 +24,12 @@ from .files import cause, whole
 from .motion import JointMotion
 from .profiles import VelocityProfile
 from .robots import description_from_dict
-from .robots.source import Source, model_bytes
+from .robots.source import Source
 
-__all__ = ["ABOVE", "FORMAT_VERSION", "Trace", "model_bytes"]
+__all__ = ["ABOVE", "FORMAT_VERSION", "Fall", "Trace"]
 
-# What a trace does by means of rooms that stand on this one. `zmpwalk/__init__.py` puts their functions here under the
-# names of the methods that call them, so that this room imports none of them.
+# What a trace, and what is made of traces, does by means of rooms that stand above. `zmpwalk/__init__.py` puts their
+# functions here under the names of the methods that call them, so that the rooms below import none of them.
 ABOVE: dict[str, Callable[..., Any]] = {}
 
 # The version grows when an older zmpwalk would read a file wrongly: because the file is laid out in another way, or a
@@ -38,6 +38,18 @@ FORMAT_VERSION = 1
 
 COLUMNS = {column.name: column for column in recorded_columns()}
 AXES = {2: ["x", "y"], 3: ["x", "y", "z"]}  # of columns that are not in the table
+
+
+class Fall(typing.NamedTuple):
+    """How a walk ended in a fall, or would have: what was foreseen, and what came of it."""
+
+    foreseen: float | None
+    """When it was foreseen [s]; None where it was not."""
+    foreseen_cause: str
+    """Such as "the DCM is 0.04 m beyond what any foothold within reach can catch"."""
+    time: float | None
+    """Time of the fall [s]; None where the robot did not fall."""
+    cause: str
 
 
 class Trace(RecordedColumns, Mapping):
@@ -437,11 +449,26 @@ class Trace(RecordedColumns, Mapping):
 
     # --- what came of it
 
+    @property
+    def fall(self) -> Fall | None:
+        """The fall, foreseen or come true; None where there was neither.
+
+        Usage: `if trace.fall: print(trace.fall.foreseen_cause, trace.fall.time)`
+        """
+        meta = self.meta
+        alarm, time = meta.get("alarm_time"), meta.get("fall_time")
+        if alarm is None and time is None:
+            return None
+        foreseen = alarm is not None and alarm != time
+        cause = meta.get("alarm_cause", "") if foreseen else ""
+        return Fall(alarm if foreseen else None, cause, time, meta.get("fall_cause", ""))
+
     def summary(self) -> dict[str, Any]:
         """Say how the walk went in a few numbers.
 
         Returns:
-            robot, mujoco_version, model_kept, duration [s], fell, fall_time [s], fall_cause, step_count (touch-downs);
+            robot, mujoco_version, model_kept, duration [s], fell, fall_time [s], fall_cause, foreseen_time [s],
+            foreseen_cause (of a fall that was foreseen), step_count (touch-downs);
             mean_speed_per_step, planned_speed_per_step [m/s]: forward, over each whole step period T = T_ss + T_ds
             from the start, the COM's displacement in the planned heading over T, and the profile's; speed_rms_error
             [m/s]: of the COM's forward velocity about the plan, over all cycles; step_period [s];
@@ -470,6 +497,8 @@ class Trace(RecordedColumns, Mapping):
             "fell": bool(meta.get("fell", self.fell.any())),
             "fall_time": meta.get("fall_time"),
             "fall_cause": meta.get("fall_cause") or None,
+            "foreseen_time": self.fall and self.fall.foreseen,
+            "foreseen_cause": (self.fall and self.fall.foreseen_cause) or None,
             "step_count": int(((self.phase[:-1] == 1) & (self.phase[1:] == 0)).sum()),
             "mean_speed_per_step": mean_speed,
             "planned_speed_per_step": planned_speed,

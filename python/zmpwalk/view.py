@@ -179,6 +179,8 @@ class LiveWalk:
             "ZMP": f"{x:+.0f} mm ahead, {y:+.0f} mm left of the {side} sole's centre",
             "keys": HELP,
         }
+        if out.fall_foreseen:
+            words["foreseen"] = out.foreseen_cause
         if out.fell:
             words["fell"] = f"{out.fall_cause}; R restarts"
         return words

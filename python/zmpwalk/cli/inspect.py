@@ -90,8 +90,11 @@ def _print_inspection(found: dict[str, Any]) -> None:
             facts.add_row("  ZMP within", f"x {x0:+.3f} .. {x1:+.3f}, y {y0:+.3f} .. {y1:+.3f} m of its centre")
     share = f"at the stand {100 * found['leg_share']:.0f} % of both"
     facts.add_row("legs", f"thigh {found['thigh_m']:.3f} m, shank {found['shank_m']:.3f} m, {share}")
-    limit = found["speed_limit_mps"]
-    facts.add_row("speed in reach", f"up to {limit:.3f} m/s" if limit is not None else "none: see below")
+    for way, axis in (found["speed_limits"] or {}).items():
+        unit = "rad/s" if way == "turning" else "m/s"
+        facts.add_row(f"{way} up to", f"{axis['most']:.3f} {unit}: {axis['limit']}")
+    if not found["speed_limits"]:
+        facts.add_row("speed", "none: see below")
     facts.add_row(
         "stand pose", (found["stand_keyframe"] and f"keyframe {found['stand_keyframe']}") or "from the description"
     )

@@ -109,6 +109,11 @@ def command(
         click.echo(json.dumps(summary, indent=2, allow_nan=False))
     else:
         _print_summary(summary, out, len(files))
+    if summary["foreseen_time"] is not None:
+        print(
+            f"zmpwalk: a fall was foreseen at t = {summary['foreseen_time']:.3f} s: {summary['foreseen_cause']}",
+            file=sys.stderr,
+        )
     if summary["fell"]:
         print(
             f"zmpwalk: fell at t = {summary['fall_time']:.3f} s: {summary['fall_cause'] or 'cause unknown'}",

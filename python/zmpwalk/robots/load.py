@@ -12,11 +12,9 @@ from .._core import RobotDescription
 from ..errors import InputError
 from .description import description_from_dict, model_file, read_description, read_json, renamed
 from .menagerie import PREFIX, menagerie_file
-from .mjcf import read_model
 from .proposal import Proposal, appraise, describe, propose
 from .robot_descriptions import DESCRIPTIONS_PREFIX, described_file
 from .source import remember
-from .urdf import read_urdf
 
 __all__ = ["ROBOTS", "Robot", "available_robots", "examine", "load_robot", "read_robot", "robot_file"]
 
@@ -123,7 +121,7 @@ def read_robot(robot: Robot) -> tuple[mujoco.MjModel, RobotDescription | None, s
             description = description or description_from_dict(plain, str(path))
             path = model_file(plain, path)
         name = _name_of(str(robot), path)
-        model = read_model(path)
+        model = _read(path)
         remember(model, path)
     else:
         raise InputError(
@@ -175,7 +173,19 @@ def _find(robot: str | os.PathLike) -> Path:
     )
 
 
+def _read(path: Path) -> mujoco.MjModel:
+    from .mjcf import read_model  # what reads XML is slow to import
+
+    return read_model(path)
+
+
+def _from_urdf(path: Path) -> tuple[mujoco.MjModel, list[str]]:
+    from .urdf import read_urdf  # what reads XML is slow to import
+
+    return read_urdf(path)
+
+
 def _said_of_urdf(robot: Robot) -> list[str]:
     """What was added to a URDF so that it can walk."""
     is_path = isinstance(robot, (str, os.PathLike)) and Path(robot).suffix.lower() == ".urdf"
-    return read_urdf(Path(robot).expanduser())[1] if is_path else []  # type: ignore[arg-type]
+    return _from_urdf(Path(robot).expanduser())[1] if is_path else []  # type: ignore[arg-type]
