@@ -425,6 +425,12 @@ def test_a_model_that_was_changed_since_it_was_loaded_keeps_its_compiled_form_an
     assert Trace({"t": trace.t}).model_kept == "none"
 
 
+def test_a_humanoid_of_given_measures_is_kept_with_its_mjcf():
+    trace = as_by_another_mujoco(zmpwalk.simulate(zmpwalk.humanoid(height=1.2).robot, duration=0.01))
+    assert trace.model_kept.startswith("the files of humanoid.xml")
+    assert trace.model.nq == trace.qpos.shape[1]
+
+
 def test_source_is_a_path_a_text_or_a_text_with_files(tmp_path):
     text = (ROBOTS / "mahru.xml").read_text()
     (tmp_path / "of mine.xml").write_text(text)

@@ -20,6 +20,7 @@ from .._core import RobotDescription
 from ..errors import InputError, ModelError
 from ..files import as_input_error, whole
 from .proposal import propose
+from .source import Source, remember
 
 __all__ = ["Humanoid", "humanoid", "mjcf", "static_need"]
 
@@ -55,6 +56,7 @@ class Humanoid:
         Usage: `zmpwalk.simulate(zmpwalk.humanoid(height=1.2).robot)`
         """
         model = mujoco.MjModel.from_xml_string(self.xml)
+        remember(model, Source({"humanoid.xml": self.xml.encode()}))
         return model, propose(model).description
 
     def save(self, path: str | os.PathLike) -> Path:

@@ -14,7 +14,7 @@ from .description import description_from_dict, model_file, read_description, re
 from .menagerie import PREFIX, menagerie_file
 from .proposal import Proposal, appraise, describe, propose
 from .robot_descriptions import DESCRIPTIONS_PREFIX, described_file
-from .source import remember
+from .source import remember, source_of
 
 __all__ = ["ROBOTS", "Robot", "available_robots", "examine", "load_robot", "read_robot", "robot_file"]
 
@@ -122,7 +122,7 @@ def read_robot(robot: Robot) -> tuple[mujoco.MjModel, RobotDescription | None, s
             path = model_file(plain, path)
         name = _name_of(str(robot), path)
         model = _read(path)
-        remember(model, path)
+        remember(model, source_of(path))
     else:
         raise InputError(
             f"a robot is a name, a path, a model or a pair (model, description), not {type(robot).__name__}"

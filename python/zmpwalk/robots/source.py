@@ -98,12 +98,11 @@ def source_of(path: Path) -> Source | None:
     return None if files is None else Source(files)
 
 
-def remember(model: mujoco.MjModel, path: Path) -> None:
-    """Note what a model was compiled from.
+def remember(model: mujoco.MjModel, source: Source | None) -> None:
+    """Note what a model was compiled from, if that is known.
 
-    Usage: `remember(model, Path("robot.xml"))`
+    Usage: `remember(model, source_of(Path("robot.xml")))`
     """
-    source = source_of(path)
     if source is not None:
         _KNOWN[model] = source, hashlib.sha256(model_bytes(model)).hexdigest()
 
