@@ -4,7 +4,8 @@
 SHELL := bash
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-MAKEFLAGS += --no-print-directory
+# Without its built-in rules: they would compile cpp/src/simulation.cpp because there is a folder of that name.
+MAKEFLAGS += --no-print-directory --no-builtin-rules
 
 PYTHON ?=
 PYTEST_ARGS ?=
