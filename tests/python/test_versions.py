@@ -17,7 +17,10 @@ SWAP = (
     "import sys, mujoco; mujoco.__version__ = {loaded!r}; sys.path.insert(0, {folder!r})\n"
     "sys.argv = ['zmpwalk', 'inspect']; import zmpwalk"
 )
-BARE = "import sys; sys.path[:] = [p for p in sys.path if not p.endswith('-packages')] + [{folder!r}]; "
+BARE = (
+    "import os, sys; has = lambda folder: os.path.isdir(os.path.join(folder, 'mujoco'))\n"
+    "sys.path[:] = [folder for folder in sys.path if not has(folder)] + [{folder!r}]\n"
+)
 
 
 def refusal(folder, installed, loaded="", numpy="1.26.4"):
