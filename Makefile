@@ -4,7 +4,8 @@
 SHELL := bash
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-MAKEFLAGS += --no-print-directory
+# No built-in rule: one would compile a program cpp/src/simulation, because a folder has that name.
+MAKEFLAGS += --no-print-directory --no-builtin-rules
 
 PYTHON ?=
 PYTEST_ARGS ?=
