@@ -4,7 +4,7 @@
 SHELL := bash
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-# Without its built-in rules: they would compile cpp/src/simulation.cpp because there is a folder of that name.
+# No built-in rule: one would compile a program cpp/src/simulation, because a folder has that name.
 MAKEFLAGS += --no-print-directory --no-builtin-rules
 
 PYTHON ?=

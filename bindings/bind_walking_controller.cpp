@@ -200,7 +200,7 @@ void bind_walking_controller(py::module_& m) {
             return limits;
           },
           "largest velocity forward, backward, sideways [m/s] and turning [rad/s], and what limits each, by name; "
-          "together they bound the sum of squares of v / most")
+          "together they bound a velocity: the sum of its |v| / most is at most 1")
       .def(
           "within_limits",
           [](const WalkingController& c, const Vec3& velocity) { return c.command_limit().within(velocity); },

@@ -584,7 +584,7 @@ class WalkSettings:
             rate: How fast the planned velocity may change, whatever a profile or command asks for at once. A dict, or RateSettings.
                 limit (rate_limit): Whether the planned velocity changes no faster than steps can follow. With false profiles and commands are taken as they are. Default: True.
                 forward_jump: Change of the forward velocity v_x that is taken up at once. A larger one follows at forward_acceleration or forward_deceleration. Unit: m/s. Default: 0.036 sqrt(g z_c).
-                sideways_jump: Change of the sideways velocity v_y that is taken up at once. A larger one follows at sideways_acceleration. Unit: m/s. Default: 0 sqrt(g z_c).
+                sideways_jump: Change of the sideways velocity v_y that is taken up at once. A larger one follows at sideways_acceleration. Unit: m/s. Default: 0.0.
                 turning_jump: Change of the turning velocity w_z that is taken up at once. A larger one follows at turning_acceleration. Unit: rad/s. Default: 0.07 / T_c.
                 forward_acceleration: Rate at which the forward velocity v_x moves away from zero. Unit: m/s^2. Default: 0.02 g.
                 forward_deceleration: Rate at which the forward velocity v_x goes back to zero. Unit: m/s^2. Default: 0.056 g.
@@ -1262,7 +1262,7 @@ class WalkSettings:
     def forward_jump(self, value: float) -> None: ...
     @property
     def sideways_jump(self) -> float:
-        """rate.sideways_jump: Change of the sideways velocity v_y that is taken up at once. A larger one follows at sideways_acceleration. Unit: m/s. Default: 0 sqrt(g z_c)."""
+        """rate.sideways_jump: Change of the sideways velocity v_y that is taken up at once. A larger one follows at sideways_acceleration. Unit: m/s. Default: 0.0."""
     @sideways_jump.setter
     def sideways_jump(self, value: float) -> None: ...
     @property
@@ -2023,7 +2023,7 @@ class RateSettings:
     def forward_jump(self, value: float) -> None: ...
     @property
     def sideways_jump(self) -> float:
-        """Change of the sideways velocity v_y that is taken up at once. A larger one follows at sideways_acceleration. Unit: m/s. Default: 0 sqrt(g z_c)."""
+        """Change of the sideways velocity v_y that is taken up at once. A larger one follows at sideways_acceleration. Unit: m/s. Default: 0.0."""
     @sideways_jump.setter
     def sideways_jump(self, value: float) -> None: ...
     @property
@@ -4511,7 +4511,7 @@ class WalkingController:
     @property
     def speed_limits(self) -> dict:
         """
-        largest velocity forward, backward, sideways [m/s] and turning [rad/s], and what limits each, by name; together they bound the sum of squares of v / most
+        largest velocity forward, backward, sideways [m/s] and turning [rad/s], and what limits each, by name; together they bound a velocity: the sum of its |v| / most is at most 1
         """
     @property
     def task_activations(self) -> list[float]:

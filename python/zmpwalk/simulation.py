@@ -51,7 +51,8 @@ class WalkingController(_core.WalkingController):
 
     Raises:
         ModelError: the model lacks what the description names, or cannot walk.
-        InputError: a setting breaks its rule, or the profile is faster than the legs reach; the message says the limit.
+        InputError: a setting breaks its rule, or the profile is faster than reach, torques or friction
+            allow; the message says the limit.
 
     Usage: `controller = zmpwalk.WalkingController(model); controller.reset(data); out = controller.update(data)`
     """

@@ -58,7 +58,6 @@ class Step {
     const Dynamics& dyn = robot_.dynamics();
     start_q_.resize(robot.nv() + 1);
     start_q_ = robot_.qpos();
-    com_ = dyn.com;
     for (const Side side : kSides) sole_start_[side] = dyn.sole[side];
     f_star_.posture = VecX::Zero(robot.joints());
     c_ = VecX::Zero(robot.nv());
@@ -70,8 +69,7 @@ class Step {
   Demand demand(const Vec3& v) {
     Demand out;
     const StepTimes times = cadence_.times(v);
-    const double T = cadence_period_ = times.period(), half = 0.5 * times.T_ss,
-                 crouch = reach_.crouch_for(reach_.stride(v));
+    const double T = times.period(), half = 0.5 * times.T_ss, crouch = reach_.crouch_for(reach_.stride(v));
     const double gravity = robot_.dynamics().gravity.norm(), height = z_c_ - crouch;
     const LinearInvertedPendulum pendulum(height, gravity);
     const double Tc = pendulum.Tc(), W = settings_.steps.width;
@@ -109,7 +107,7 @@ class Step {
       const Vec2 origin = dyn.sole[kLeft].p_WF.head<2>();
       const Vec2 f_xy = whole_body_.zmp_slope().inverse() * (origin + zmp - whole_body_.zmp(Vec2::Zero()));
       whole_body_.solve(f_xy, result_);
-      judge(zmp, out);
+      judge(zmp, T, out);
     }
     return out;
   }
@@ -181,7 +179,7 @@ class Step {
     return true;
   }
 
-  void judge(const Vec2& zmp, Demand& out) {
+  void judge(const Vec2& zmp, double period, Demand& out) {
     const VecX& limit = robot_.torque_limit();
     for (const Side side : kSides) {
       const auto& leg = robot_.leg_joints()[side];
@@ -203,7 +201,7 @@ class Step {
     if (settings_.posture.task && settings_.arms.reserve > 0.0) {
       const Dynamics& dyn = robot_.dynamics();
       momentum_row(dyn, Vec3::UnitZ(), c_.transpose());
-      const double rate = M_PI / cadence_period_;
+      const double rate = M_PI / period;
       for (const int j : robot_.arm_joints()) {
         const auto [low, high] = robot_.joint_range(j);
         const double room = std::clamp(std::min(high - dyn.q[j], dyn.q[j] - low), 0.0, kArmSwing);
@@ -237,9 +235,7 @@ class Step {
   WholeBodyResult result_;
   State state_;
   TaskAccelerations f_star_;
-  VecX start_q_, c_;             // c: row of the yaw momentum
-  double cadence_period_ = 1.0;  // time of a step [s]
-  Vec3 com_;
+  VecX start_q_, c_;  // c: row of the yaw momentum
   std::array<FrameState, 2> sole_start_;
   std::array<int, 15> unknown_{};
 };

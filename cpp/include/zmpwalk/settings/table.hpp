@@ -319,7 +319,7 @@ struct RateSettings {
       "How fast the planned velocity may change, whatever a profile or command asks for at once.";
 
   bool limit = true;
-  double forward_jump = kNaN, sideways_jump = kNaN, turning_jump = kNaN;
+  double forward_jump = kNaN, sideways_jump = 0.0, turning_jump = kNaN;
   double forward_acceleration = kNaN, forward_deceleration = kNaN;
   double sideways_acceleration = kNaN, turning_acceleration = kNaN;
 
@@ -331,7 +331,7 @@ struct RateSettings {
     v(g.forward_jump, "forward_jump", "forward_jump", "m/s", must_be::kNotNegative, {0.036, of::kFroudeSpeed},
       "Change of the forward velocity v_x that is taken up at once. A larger one follows at forward_acceleration or "
       "forward_deceleration.");
-    v(g.sideways_jump, "sideways_jump", "sideways_jump", "m/s", must_be::kNotNegative, {0.0, of::kFroudeSpeed},
+    v(g.sideways_jump, "sideways_jump", "sideways_jump", "m/s", must_be::kNotNegative, {},
       "Change of the sideways velocity v_y that is taken up at once. A larger one follows at sideways_acceleration.");
     v(g.turning_jump, "turning_jump", "turning_jump", "rad/s", must_be::kNotNegative, {0.07, of::kPerTimeConstant},
       "Change of the turning velocity w_z that is taken up at once. A larger one follows at turning_acceleration.");
