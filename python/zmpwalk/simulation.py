@@ -8,6 +8,7 @@ import math
 import os
 import platform
 import threading
+import warnings
 from dataclasses import dataclass, field
 from typing import Any, Callable, Iterable, Mapping, Sequence, Union
 
@@ -23,6 +24,7 @@ from .motion import JointMotion
 from .profiles import Profile, VelocityProfile, profile_of, three
 from .robots import Robot, RobotDescription, describe, description_to_dict, load_robot
 from .robots.load import read_robot
+from .robots.source import Given, Source, given_source
 from .trace import Trace, model_bytes, plain
 
 __all__ = ["Recorder", "WalkingController", "simulate", "simulate_batch"]
@@ -45,6 +47,7 @@ class WalkingController(_core.WalkingController):
             None takes `WalkSettings()`.
         profile: planned velocity: a `VelocityProfile`, vx [m/s], (vx, vy, wz), pairs (t, v), a text such as
             "0:0.1,2:0.2" or a CSV file; None takes `VelocityProfile.paper()`.
+        source: the file that the model was compiled from, or its text, for traces (`simulate`).
 
     Raises:
         ModelError: the model lacks what the description names, or cannot walk.
@@ -59,6 +62,7 @@ class WalkingController(_core.WalkingController):
         description: RobotDescription | None = None,
         settings: Settings = None,
         profile: Profile = None,
+        source: Given = None,
     ):
         super().__init__(
             model,
@@ -67,6 +71,7 @@ class WalkingController(_core.WalkingController):
             profile=profile_of(profile),
         )
         self._model = model
+        self._source = given_source(source, model) if source is not None else None
         self._tasks: list[dict[str, Any]] = []  # which task was added in which cycle, and in which it was removed
 
     def __repr__(self) -> str:
@@ -77,6 +82,11 @@ class WalkingController(_core.WalkingController):
     def model(self) -> mujoco.MjModel:
         """The model that was given."""
         return self._model
+
+    @property
+    def source(self) -> Source | None:
+        """The files that the model was compiled from; None where it was not loaded from a file or was changed since."""
+        return self._source or given_source(None, self._model)
 
     @property
     def profile(self) -> VelocityProfile:
@@ -232,7 +242,7 @@ class Recorder:
             "alarm_cause": self._foreseen[1],
         }
         model, meta = _describe_run(self._controller, self._robot, info, source="recorder")
-        return Trace(columns, meta, model, copy=False)
+        return Trace(columns, meta, model, copy=False, source=self._controller.source)
 
 
 def simulate(
@@ -249,6 +259,7 @@ def simulate(
     on_fall: str = "stop",
     uncertainty: Uncertainty | Mapping[str, Any] | None = None,
     simulated: Robot | None = None,
+    source: Given = None,
 ) -> Trace:
     """Walk a robot in MuJoCo, wholly in C++, and return what was recorded.
 
@@ -281,6 +292,9 @@ def simulate(
         uncertainty: what the controller does not know, or not in time: an `Uncertainty`, or a dictionary of its fields.
         simulated: the robot that is simulated, where it is not the one that the controller knows: it must have the
             bodies that the description names, and the same joints in the same order. `uncertainty` changes this one.
+        source: what `robot` was compiled from where it is an `MjModel`: the path of its MJCF or URDF, the text of an
+            MJCF, or (text, {file name: content}). The trace keeps it, so that it can be filmed and run again under any
+            MuJoCo. A robot that is given by name or path brings its own.
 
     Returns:
         The trace, one row per control cycle.
@@ -296,7 +310,7 @@ def simulate(
         `zmpwalk.simulate(uncertainty={"noise": 1, "torque_delay": 0.004}, seed=3)`
     """
     model, description = load_robot(robot)
-    controller = WalkingController(model, description, settings, profile)
+    controller = WalkingController(model, description, settings, profile, source)
     controller.move(motion)
     for task in tasks:
         controller.add(task)
@@ -343,7 +357,7 @@ def simulate_batch(
         key = robot if isinstance(robot, (str, os.PathLike)) else id(robot)
         if key not in robots:
             robots[key] = load_robot(robot)
-        controller = WalkingController(*robots[key], given.get("settings"), given.get("profile"))
+        controller = WalkingController(*robots[key], given.get("settings"), given.get("profile"), given.get("source"))
         controller.move(given.get("motion"))
         for task in given.get("tasks", ()):
             controller.add(task)
@@ -425,7 +439,7 @@ def run(
         controller, robot, info, source="simulate", seed=seed, requested_duration=duration, **outside.to_dict()
     )
     simulated = None if outside.simulated is None else model_bytes(outside.simulated)
-    return Trace(columns, meta, model, copy=False, simulated=simulated)
+    return Trace(columns, meta, model, False, simulated, controller.source, outside.source)
 
 
 @dataclass(frozen=True)
@@ -438,6 +452,10 @@ class Outside:
     simulated: mujoco.MjModel | None = None
     """in truth, `uncertainty` included; None where it is the controller's model"""
     seed: int = 0
+    given: bool = False
+    """whether the simulated robot was given, as another than the controller's"""
+    source: Source | None = None
+    """what that robot was compiled from"""
 
     @classmethod
     def of(
@@ -454,12 +472,12 @@ class Outside:
             raise InputError(f"on_fall is {on_fall!r}; it must be {' or '.join(ON_FALL)}")
         pushes = [each._replace(body=each.body or _core.trunk_body(controller)) for each in pushes_of(push)]
         unsure = uncertainty_of(uncertainty)
-        model = None if simulated is None else read_robot(simulated)[0]
+        given = model = None if simulated is None else read_robot(simulated)[0]
+        source = None if given is None else given_source(None, given)
         if unsure.changes_model:
             known = controller.model if model is None else model
-            foot = mujoco.mj_name2id(known, mujoco.mjtObj.mjOBJ_BODY, controller.description.left.body)
-            model = unsure.changed(known, int(known.body_rootid[max(foot, 0)]), _check_seed(seed))
-        return cls(pushes, on_fall, unsure, model, _check_seed(seed))
+            model = unsure.changed(known, unsure.root_of(known, controller.description), _check_seed(seed))
+        return cls(pushes, on_fall, unsure, model, _check_seed(seed), given is not None, source)
 
     @classmethod
     def again(cls, trace: Trace) -> Outside:
@@ -468,6 +486,7 @@ class Outside:
         return cls(
             pushes_of(meta.get("push", ())), meta.get("on_fall", "stop"), uncertainty_of(meta.get("uncertainty")),
             trace.simulated_model if meta.get("simulated_sha256") else None, meta.get("seed", 0),
+            meta.get("simulated_given", False), trace._simulated_source,
         )  # fmt: skip
 
     def simulation(self, controller: WalkingController) -> _core.Simulation:
@@ -485,6 +504,7 @@ class Outside:
             "on_fall": self.on_fall,
             "uncertainty": self.uncertainty.to_dict(),
             "simulated_sha256": sha,
+            "simulated_given": self.given,
         }
 
 
@@ -520,8 +540,24 @@ def check_duration(duration: float) -> float:
 
 def rerun(trace: Trace, on_progress: Progress | None = None) -> Trace:
     """See `Trace.rerun`: the same loop from the trace's own model, description, settings and profile."""
+    again = _rerun(trace, on_progress)
+    walked_by = trace.meta.get("versions", {}).get("mujoco")
+    if walked_by != mujoco.__version__:
+        rows = min(len(again.t), len(trace.t))
+        away = float(np.abs(again.com[:rows] - trace.com[:rows]).max(initial=0.0))
+        again.meta["rerun_of"] = {"mujoco": walked_by, "com_away": away, "rows": rows}
+        warnings.warn(
+            f"MuJoCo {walked_by} walked this and MuJoCo {mujoco.__version__} repeated it, so the two may part: within "
+            f"{rows * trace.control_dt:g} s the COM went up to {away:.1e} m away from the recorded one",
+            stacklevel=3,
+        )
+    return again
+
+
+def _rerun(trace: Trace, on_progress: Progress | None) -> Trace:
     model = trace.model
     controller = WalkingController(model, trace.description, trace.settings, trace.profile)
+    controller._source = trace._source
     controller.move(trace.motion)
     change_tasks = _tasks_again(controller, trace)
     change_tasks(0)
