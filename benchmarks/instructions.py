@@ -22,7 +22,9 @@ MODEL = HERE.parent / "python" / "zmpwalk" / "robots" / "mahru.xml"
 KERNEL = "x86-64"  # runs on every x86-64 machine, so that all count the same
 TOLERANCE = 0.05  # of the record, with its compiler
 OTHER_COMPILER = 1.25  # another compiler's code may take so many times the limit
-LIMITS = {"in_loop": 40_000, "from_scratch": 200_000, "plan": 0.5}  # the plan's is a share of what BEFORE counted
+# The loop's limit is 1.15 times the 37,492 that a cycle took before it answered pushes; the plan's is a share of what
+# BEFORE counted.
+LIMITS = {"in_loop": 43_100, "from_scratch": 200_000, "plan": 0.5}
 BEFORE = "a1d900f"  # revision in the record's history
 PLAN = "plan of 3.2 s"
 

@@ -58,7 +58,9 @@ class Sweep:
 
     def __init__(self, rows: Sequence[Mapping[str, Any]], axes: Sequence[str]):
         names = dict.fromkeys(name for row in rows for name in row)  # in their order
-        self.rows: list[dict[str, Any]] = [{name: row.get(name, math.nan) for name in names} for row in rows]
+        texts = {name for row in rows for name, value in row.items() if isinstance(value, str)}
+        missing = {name: "" if name in texts else math.nan for name in names}
+        self.rows: list[dict[str, Any]] = [{name: row.get(name, missing[name]) for name in names} for row in rows]
         self.axes = list(axes)
 
     def __len__(self) -> int:

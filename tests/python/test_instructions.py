@@ -24,7 +24,7 @@ def test_record_has_every_count_and_no_other(names, record):
 
 def test_limits_are_those_of_a_cycle_in_the_loop_and_from_scratch_and_half_of_an_earlier_plan(names, record):
     limits = {name: instructions.limit_of(name, record["history"]) for name in names}
-    assert limits["in_loop, single support"] == limits["in_loop, double support"] == 40_000
+    assert limits["in_loop, single support"] == limits["in_loop, double support"] == 43_100
     assert limits["from_scratch, single support"] == 200_000
     assert limits[instructions.PLAN] == 0.5 * record["history"][instructions.BEFORE][instructions.PLAN]
 

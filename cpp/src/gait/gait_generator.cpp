@@ -290,8 +290,8 @@ void GaitGenerator::turn(const GaitInput& in, double since_middle) {
   // first foot without having stood on the other one alone.
   if (starting_ && before_switch())
     heading_M_ = next_.path.yaw;
-  else if (since_middle <= 0.0)
-    heading_M_ = out_.heading + plan_.displacement(in.t, in.t - since_middle).z();
+  else if (const double middle = in.t - since_middle; middle >= in.t)
+    heading_M_ = out_.heading + (plan_.turns(footsteps_.now(), middle) ? plan_.displacement(in.t, middle).z() : 0.0);
   turn_ = next_.path.yaw - heading_M_;
   if (heading_M_ != out_.heading) out_.ahead_M = ahead_of(heading_M_);
   next_turn_ = 0.5 * next_.displacement().z();
