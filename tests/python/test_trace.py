@@ -401,9 +401,7 @@ def torso_of(mass):
 
 def test_a_given_robot_that_was_simulated_is_kept_with_its_own_files(mahru_edited, tmp_path):
     heavy = tmp_path / "heavy.xml"
-    heavy.write_text(
-        mahru_edited.xml(lambda root: root.find(".//body[@name='torso']").find("inertial").set("mass", "25"))
-    )
+    heavy.write_text(mahru_edited.xml(torso_of(25)))
     trace = zmpwalk.simulate("mahru", duration=0.1, simulated=heavy)
     other = Trace.load(as_by_another_mujoco(trace).save(tmp_path / "walk.npz"))
     heavy.unlink()
