@@ -3,9 +3,7 @@
 #include <sstream>
 
 namespace zmpwalk {
-namespace {
 
-/// A number for a message; one of hundreds of digits is shortened.
 std::string text_of(double value) {
   if (std::isnan(value)) return "nan";
   if (std::abs(value) < 1e7) return std::to_string(value);
@@ -13,8 +11,6 @@ std::string text_of(double value) {
   text << value;
   return text.str();
 }
-
-}  // namespace
 
 std::string ModelError::lines(const std::vector<std::string>& why) {
   std::string text;

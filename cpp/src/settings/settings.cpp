@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <sstream>
 #include <tuple>
 
 #include "zmpwalk/gait/pendulum.hpp"
@@ -15,13 +14,6 @@ namespace {
 // The robot on which the gains were found: COM height 0.747 m, period 0.8 s (section IV), T_c 0.276 s.
 constexpr double kReferenceHeight = 0.747;
 constexpr double kReferencePeriod = 0.8;
-
-std::string text_of(double value) {
-  if (std::abs(value) < 1e7) return std::to_string(value);
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
 
 /// The largest number that makes sense in a unit. Far beyond it sums overflow and loops do not end.
 double largest(const std::string& unit) {

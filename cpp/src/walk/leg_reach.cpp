@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include "zmpwalk/math/error.hpp"
 
@@ -17,14 +16,6 @@ void require_velocity(const Vec3& velocity) {
   if (!velocity.allFinite())
     throw InputError("velocity (" + velocity_text(velocity) +
                      ") is not finite; it is (v_x, v_y, w_z) [m/s, m/s, rad/s]");
-}
-
-std::string text_of(double value) {
-  if (std::isnan(value)) return "nan";
-  if (std::abs(value) < 1e7) return std::to_string(value);
-  std::ostringstream text;
-  text << value;
-  return text.str();
 }
 
 }  // namespace
