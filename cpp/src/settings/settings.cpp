@@ -24,12 +24,15 @@ double largest(const std::string& unit) {
   return found == most.end() ? 1e9 : found->second;
 }
 
+std::string number_of(double value) { return text_of(value); }
+std::string number_of(int value) { return std::to_string(value); }
+
 template <class Number>
 void check(const std::string& name, Number value, const Setting& row) {
-  if (!row.range.holds(value)) throw InputError(name + " = " + text_of(value) + "; it must be " + row.range.text);
+  if (!row.range.holds(value)) throw InputError(name + " = " + number_of(value) + "; it must be " + row.range.text);
   if (const double most = largest(row.unit); std::abs(static_cast<double>(value)) > most)
-    throw InputError(name + " = " + text_of(value) + "; it must be at most " + text_of(most) + (*row.unit ? " " : "") +
-                     row.unit);
+    throw InputError(name + " = " + number_of(value) + "; it must be at most " + text_of(most) +
+                     (*row.unit ? " " : "") + row.unit);
 }
 
 /// Checks every number of a setting.
