@@ -1,4 +1,5 @@
 #include "bind_tasks.hpp"
+#include "busy.hpp"
 #include "zmpwalk/walk/walking_controller.hpp"
 
 using namespace zmpwalk;
@@ -55,10 +56,19 @@ void bind_walking_controller(py::module_& m) {
            "walked.\n"
            "    InputError: a setting breaks a rule, or the profile is faster than the legs reach.")
       .def(
-          "reset", [](WalkingController& c, const PyState& state) { c.reset(state); }, "state"_a,
-          "Starts a walk from a State, and moves nothing yet.")
+          "reset",
+          [](WalkingController& c, const PyState& state) {
+            const Busy busy(c, "reset");
+            c.reset(state);
+          },
+          "state"_a, "Starts a walk from a State, and moves nothing yet.")
       .def(
-          "reset", [](WalkingController& c, const py::object& data) { c.reset(data_of(data)); }, "data"_a,
+          "reset",
+          [](WalkingController& c, const py::object& data) {
+            const Busy busy(c, "reset");
+            c.reset(data_of(data));
+          },
+          "data"_a,
           "Starts a walk from the state in `data`, and moves nothing yet.\n\nRaises:\n    InputError: the state is not "
           "finite.")
       .def(
@@ -77,6 +87,7 @@ void bind_walking_controller(py::module_& m) {
       .def(
           "update",
           [](WalkingController& c, const PyState& state) -> const CycleOutput& {
+            const Busy busy(c, "update");
             PyState known = state;
             known.external = external_of(c, state.named);
             return c.update(known);
@@ -87,6 +98,7 @@ void bind_walking_controller(py::module_& m) {
           "update",
           [](WalkingController& c, const py::object& data, bool after_step1, const py::object& external,
              const std::optional<Vec2>& contact) -> const CycleOutput& {
+            const Busy busy(c, "update");
             Sensed sensed;
             sensed.external = external_of(c, external);
             if (contact) sensed.contact = {(*contact)[kLeft], (*contact)[kRight]};
@@ -130,21 +142,42 @@ void bind_walking_controller(py::module_& m) {
           "settings", [](const WalkingController& c) { return c.settings(); },
           "the WalkSettings of this walk; every NaN has the robot's value")
       .def_property_readonly("profile", &WalkingController::profile)
-      .def("retime", &WalkingController::retime, "remaining"_a,
-           "Lets the present phase, single or double support, end `remaining` [s] after the last cycle; the swing foot "
-           "goes on "
-           "from where\nit is without a jump. Call it between cycles.\n\nRaises:\n    InputError: not finite and > 0. "
-           "A robot that stands "
-           "stays as it is.")
-      .def("move", &WalkingController::move, "motion"_a,
-           "Lets joints outside the legs, and the trunk, follow `motion` from now on; see the package's "
-           "WalkingController.")
+      .def(
+          "retime",
+          [](WalkingController& c, double remaining) {
+            require_between_cycles(c, "retime");
+            c.retime(remaining);
+          },
+          "remaining"_a,
+          "Lets the present phase, single or double support, end `remaining` [s] after the last cycle; the swing foot "
+          "goes on "
+          "from where\nit is without a jump. Call it between cycles.\n\nRaises:\n    InputError: not finite and > 0. "
+          "A robot that stands "
+          "stays as it is.")
+      .def(
+          "move",
+          [](WalkingController& c, const JointMotion& motion) {
+            require_between_cycles(c, "move");
+            c.move(motion);
+          },
+          "motion"_a,
+          "Lets joints outside the legs, and the trunk, follow `motion` from now on; see the package's "
+          "WalkingController.")
       .def_property_readonly("motion", &WalkingController::motion)
-      .def("add", &WalkingController::add, "task"_a, "blend"_a = kNaN,
-           "Adds a task that the robot fulfils while it walks; see the package's WalkingController.")
+      .def(
+          "add",
+          [](WalkingController& c, const std::shared_ptr<Task>& task, double blend) {
+            require_between_cycles(c, "add");
+            c.add(task, blend);
+          },
+          "task"_a, "blend"_a = kNaN,
+          "Adds a task that the robot fulfils while it walks; see the package's WalkingController.")
       .def(
           "remove",
-          [](WalkingController& c, const std::shared_ptr<Task>& task, double blend) { c.remove(*task, blend); },
+          [](WalkingController& c, const std::shared_ptr<Task>& task, double blend) {
+            require_between_cycles(c, "remove");
+            c.remove(*task, blend);
+          },
           "task"_a, "blend"_a = kNaN, "Takes a task away; see the package's WalkingController.")
       .def_property_readonly("cycles", &WalkingController::cycles, "control cycles since the last reset")
       .def_property_readonly(

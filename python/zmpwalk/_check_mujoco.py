@@ -6,6 +6,7 @@ scheme. Then the layout is checked: what the core sees of a small model has to l
 
 from __future__ import annotations
 
+import os
 import sys
 from pathlib import Path
 from typing import Any
@@ -70,7 +71,14 @@ def load_mujoco() -> None:
         ) from None
     installed = installed_mujoco()
     check_versions(installed, _installed("numpy"))
-    import mujoco
+    try:
+        import mujoco
+    except Exception as error:  # of many kinds: MuJoCo imports the library that draws, whichever that is
+        told = os.environ.get("MUJOCO_GL")
+        raise VersionError(
+            f"MuJoCo {installed} cannot be imported ({type(error).__name__}: {error})"
+            + (f": MUJOCO_GL={told} names what draws; unset it, or install that library" if told else "")
+        ) from None
 
     version = mujoco.__version__
     if _numbers(version) != _numbers(installed or version):

@@ -142,6 +142,8 @@ def _cycle(loaded: Any, duration: float, progress: Progress) -> Result:
         rows = slice(None) if number < 0 else phase == number
         result[name] = {column: statistics(values[rows]) for column, values in columns.items()}
         of = result[name]
+        if len(of["in_loop"]) == 0 or len(of["textbook"]) == 0:
+            raise InputError(f"duration is {duration:g} s: no cycle in {name} was measured; walk for 2 s or longer")
         of["other"] = {"median": of["other"]["median"]}  # a difference of times: its extremes mean nothing
         result[name]["ratios"] = {
             f"{above} / {below}": {each: of[above][each] / of[below][each] for each in ("min", "median")}

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Iterable
 
-__all__ = ["DimensionError", "Error", "InputError", "ModelError", "VersionError", "nearest"]
+__all__ = ["ColumnError", "DimensionError", "Error", "InputError", "ModelError", "VersionError", "nearest"]
 
 
 class Error(Exception):
@@ -23,6 +23,10 @@ class Error(Exception):
 
 class InputError(Error, ValueError):
     """A value breaks a rule: it is NaN, infinite or out of its range, a name is unknown, or a file cannot be read."""
+
+
+class ColumnError(InputError, AttributeError):
+    """A trace does not hold a column that was asked for: it was recorded without it, or its file lacks it."""
 
 
 class DimensionError(Error, ValueError):

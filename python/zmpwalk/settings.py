@@ -6,11 +6,11 @@ import json
 import math
 import os
 import textwrap
-from pathlib import Path
 from typing import Any
 
 from ._core import WalkingController, WalkSettings
 from .errors import InputError
+from .files import read_text
 
 __all__ = ["load_settings", "read_toml", "settings_toml"]
 
@@ -60,11 +60,13 @@ def read_toml(path: str | os.PathLike) -> dict[str, Any]:
         import tomli as tomllib
 
     try:
-        return tomllib.loads(Path(path).read_text(encoding="utf-8"))
-    except OSError as error:
-        raise InputError(f"{path}: {(error.strerror or str(error)).lower()}") from None
-    except ValueError as error:  # TOML and encoding
+        return tomllib.loads(read_text(path, "TOML"))
+    except InputError:
+        raise
+    except ValueError as error:
         raise InputError(f"{path}: not TOML: {error}") from None
+    except RecursionError:
+        raise InputError(f"{path}: not TOML that makes sense: it is nested too deep") from None
 
 
 def settings_toml(controller: WalkingController, given: WalkSettings) -> str:

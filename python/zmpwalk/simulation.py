@@ -17,6 +17,7 @@ import numpy as np
 
 from . import _core, tasks
 from ._build import VERSION
+from .checks import positive
 from .disturbances import Push, Pushes, Uncertainty, pushes_of, uncertainty_of
 from .errors import InputError
 from .given import Settings, settings_of
@@ -33,6 +34,7 @@ Progress = Callable[[float, float], None]
 Steer = Callable[[float, Any], Union[float, Sequence[float], None]]
 COMMAND_INTERVAL = 0.02  # between calls of `command` [s]
 ON_FALL = ("stop", "go_on")
+LONGEST = 1e7  # walk [s]
 _NO_MOTION = _core.JointMotion([0.0], [], np.zeros((1, 0)))
 
 
@@ -362,7 +364,7 @@ def simulate_batch(
         controller.move(given.get("motion"))
         for task in given.get("tasks", ()):
             controller.add(task)
-        duration, seed = check_duration(given.get("duration", 8.0)), _check_seed(given.get("seed", 0))
+        duration, seed = check_duration(given.get("duration", 8.0), controller), _check_seed(given.get("seed", 0))
         outside = Outside.of(
             controller, seed, given.get("push", ()), given.get("on_fall", "stop"), given.get("uncertainty"),
             given.get("simulated"),
@@ -388,18 +390,22 @@ def simulate_batch(
     from concurrent import futures as threaded
 
     with threaded.ThreadPoolExecutor(threads, thread_name_prefix="zmpwalk") as pool:
-        waiting = {pool.submit(walk, i): i for i in range(len(jobs))}
-        futures = list(waiting)
-        try:
+        futures: list[Any] = []
+        try:  # Ctrl-C may come while jobs are handed over, too
+            for i in range(len(jobs)):
+                futures.append(pool.submit(walk, i))
+            waiting = set(futures)
             while waiting:
                 finished, _ = threaded.wait(waiting, timeout=0.05, return_when=threaded.FIRST_EXCEPTION)
                 for future in finished:
                     future.result()
-                    del waiting[future]
+                    waiting.discard(future)
                 if on_progress:
                     on_progress(sum(done), total)
         finally:
             stop.set()
+            for future in futures:
+                future.cancel()
     return [future.result() for future in futures]
 
 
@@ -426,7 +432,7 @@ def run(
 
     Usage: `run(zmpwalk.WalkingController(*zmpwalk.load_robot("mahru")), 8.0)`
     """
-    duration = check_duration(duration)
+    duration = check_duration(duration, controller)
     seed = _check_seed(seed)
     # Always with a callback: running Python now and then is what lets Ctrl-C through.
     progress = on_progress or (lambda t, duration: None)
@@ -524,19 +530,33 @@ def _check_seed(seed: int) -> int:
     return int(seed)
 
 
-def check_duration(duration: float) -> float:
+def check_duration(duration: float, controller: WalkingController | None = None) -> float:
     """Returns `duration` [s] as a number.
 
+    Args:
+        controller: of the walk, whose record has to find room in the memory of this machine.
+
     Raises:
-        InputError: not a positive, finite number.
+        InputError: not a positive, finite number, or longer than can be recorded.
     """
-    try:
-        duration = float(duration)
-    except (TypeError, ValueError):
-        raise InputError(f"duration is {duration!r}; it must be a number of seconds") from None
-    if not (math.isfinite(duration) and duration > 0):
-        raise InputError(f"duration is {duration:g} s; it must be positive and finite")
+    duration = positive("duration", duration, most=LONGEST)
+    if controller is not None:
+        row = 8 * sum(int(np.prod(column.shape[1:])) for column in _core.Recorder(controller).columns().values())
+        room, dt = _memory(), float(controller.settings.control_dt)
+        if duration / dt * row > room:
+            raise InputError(
+                f"duration is {duration:g} s; the record of such a walk takes {duration / dt * row / 1e9:.3g} GB, and "
+                f"there is room for {room / 1e9:.3g} GB: walk at most {room * dt / row:.0f} s at a time"
+            )
     return duration
+
+
+def _memory() -> float:
+    """How much a record may take: half of the memory of this machine [bytes]."""
+    try:
+        return 0.5 * os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
+    except (AttributeError, OSError, ValueError):
+        return 4e9
 
 
 def rerun(trace: Trace, on_progress: Progress | None = None) -> Trace:

@@ -7,6 +7,7 @@ import io
 import json
 import math
 import os
+import reprlib
 import typing
 import zipfile
 from pathlib import Path
@@ -19,7 +20,7 @@ from ._columns import RecordedColumns
 from ._core import RecordedColumn, RobotDescription, WalkSettings, recorded_columns
 from .analysis import bound_excess
 from .disturbances import uncertainty_of
-from .errors import DimensionError, Error, InputError, ModelError, nearest
+from .errors import ColumnError, DimensionError, Error, InputError, ModelError, nearest
 from .files import cause, whole
 from .motion import JointMotion
 from .profiles import VelocityProfile
@@ -35,6 +36,15 @@ ABOVE: dict[str, Callable[..., Any]] = {}
 # The version grows when an older zmpwalk would read a file wrongly: because the file is laid out in another way, or a
 # name means something else. A new column alone is no new version: a file may lack columns.
 FORMAT_VERSION = 1
+
+# What is read of a trace's meta data as such.
+KINDS: dict[Any, tuple[str, ...]] = {
+    dict: ("settings", "description", "profile", "motion", "versions", "timing"),
+    list: ("joint_names", "torque_limits", "tasks", "push"),
+    str: ("robot", "source", "fall_cause", "alarm_cause", "model_sha256", "simulated_sha256"),
+    (int, float): ("fall_time", "control_dt", "timestep", "requested_duration", "alarm_time"),
+}
+ROOM, MOST_INFLATION = 1e8, 20  # bytes that any file may inflate to, and how many times its own size beyond
 
 COLUMNS = {column.name: column for column in recorded_columns()}
 AXES = {2: ["x", "y"], 3: ["x", "y", "z"]}  # of columns that are not in the table
@@ -88,19 +98,24 @@ class Trace(RecordedColumns, Mapping):
         source: Source | None = None,
         simulated_source: Source | None = None,
     ):
+        if not isinstance(columns, Mapping):
+            raise InputError(f"columns are {type(columns).__name__}; they must be a mapping of names to arrays")
         if "t" not in columns:
             raise InputError(f"a trace needs the column 't'; it has {', '.join(columns) or 'none'}")
         self._columns: dict[str, np.ndarray] = {}
+        rows = np.shape(columns["t"])[:1]
         for name, values in columns.items():
-            array = np.array(values, dtype=float) if copy else np.asarray(values, dtype=float)
-            if array.ndim not in (1, 2) or len(array) != len(columns["t"]):
-                raise DimensionError(f"column '{name}' has shape {array.shape}; 't' has {len(columns['t'])} rows")
+            array = _numbers_in(name, values, copy)
+            if array.ndim not in (1, 2) or array.shape[:1] != rows:
+                raise DimensionError(
+                    f"column '{name}' has shape {array.shape}; 't' has {'no' if not rows else rows[0]} rows"
+                )
             known = COLUMNS.get(name)
             if known and known.width and array.shape[1:] != (known.width,) * (known.width > 1):
                 raise DimensionError(f"column '{name}' has shape {array.shape}; a row of it holds {_numbers(known)}")
             array.flags.writeable = False
             self._columns[name] = array
-        self.meta: dict[str, Any] = {"format_version": FORMAT_VERSION, **plain(meta or {})}
+        self.meta: dict[str, Any] = {"format_version": FORMAT_VERSION, **_checked(meta or {})}
         self._model, self._simulated = model, simulated
         self._source, self._simulated_source = source, simulated_source
 
@@ -124,7 +139,7 @@ class Trace(RecordedColumns, Mapping):
             if hasattr(type(self), name):  # a property has failed: asked once more, it says why
                 return object.__getattribute__(self, name)
             if name in COLUMNS:
-                raise AttributeError(f"this trace does not hold the column '{name}': it was recorded without it")
+                raise ColumnError(f"this trace does not hold the column '{name}': it was recorded without it")
             if name.startswith("_"):
                 raise AttributeError(f"a trace has no '{name}'")
             near = nearest(name, [*columns, *(other for other in dir(type(self)) if not other.startswith("_"))])
@@ -359,10 +374,13 @@ class Trace(RecordedColumns, Mapping):
         path = Path(path)
         try:
             with zipfile.ZipFile(path) as file:
+                _require_size(path, file)
                 names = file.namelist()
                 if "meta.json" not in names or "t.npy" not in names:
                     raise InputError(f"{path}: not a trace that zmpwalk saved")
                 meta = json.loads(file.read("meta.json").decode())
+                if not isinstance(meta, dict):
+                    raise InputError(f"{path}: not a trace that zmpwalk saved: its meta.json holds no object")
                 version = meta.get("format_version")
                 if type(version) is not int or version < 1:
                     raise InputError(f"{path}: not a trace that zmpwalk saved: its format is {version!r}")
@@ -392,7 +410,10 @@ class Trace(RecordedColumns, Mapping):
         except Exception as error:  # zipfile, zlib, json and numpy each have their own way to say it
             raise InputError(f"{path}: not a trace, or damaged: {error}") from None
         meta = {**meta, "format_version": FORMAT_VERSION}  # saved again: today's format
-        return cls(columns, meta, model, True, simulated, source, simulated_source)
+        try:
+            return cls(columns, meta, model, True, simulated, source, simulated_source)
+        except (DimensionError, InputError) as error:
+            raise InputError(f"{path}: not a trace, or damaged: {error}") from None
 
     def to_csv(self, path: str | os.PathLike) -> Path:
         """Write the columns as one table, seventeen digits so that nothing is lost, whole or not at all.
@@ -600,6 +621,40 @@ def _numbers(column: RecordedColumn) -> str:
     """What a row of a column holds: names of the numbers, or how many there are, unit and frame."""
     numbers = ", ".join(column.parts) or {"1": "one number"}.get(column.size, f"{column.size} numbers")
     return numbers + (f" [{column.unit}]" if column.unit else "") + (f" in {column.frame}" if column.frame else "")
+
+
+def _numbers_in(name: str, values: Any, copy: bool) -> np.ndarray:
+    array = np.asarray(values)
+    if array.dtype.kind not in "biuf" and array.size:
+        raise InputError(f"column '{name}' holds {array.dtype}; it must hold real numbers")
+    return np.array(array, dtype=float) if copy else np.asarray(array, dtype=float)
+
+
+def _checked(meta: Any) -> dict[str, Any]:
+    """The meta data as plain values, each of the kind that whoever reads it expects."""
+    if not isinstance(meta, Mapping):
+        raise InputError(f"meta is {type(meta).__name__}; it must be a mapping of names to plain values")
+    out = plain(meta)
+    for kind, names in KINDS.items():
+        for name in names:
+            if out.get(name) is not None and (not isinstance(out[name], kind) or isinstance(out[name], bool)):
+                word = " or ".join(each.__name__ for each in (kind if isinstance(kind, tuple) else (kind,)))
+                raise InputError(f"meta['{name}'] is {reprlib.repr(out[name])}; it must be {word}")
+    for name in ("T_ss", "T_ds"):
+        if not isinstance((out.get("settings") or {}).get(name, 0.0), (int, float)):
+            raise InputError(
+                f"meta['settings']['{name}'] is {reprlib.repr(out['settings'][name])}; it must be a number"
+            )
+    return out
+
+
+def _require_size(path: Path, file: zipfile.ZipFile) -> None:
+    """Only the compiled models are compressed: a small file does not become a large trace."""
+    inflated, size = sum(entry.file_size for entry in file.infolist()), path.stat().st_size
+    if inflated > ROOM + MOST_INFLATION * size:
+        raise InputError(
+            f"{path}: {size / 1e6:.3g} MB that would become {inflated / 1e6:.3g} MB; a trace grows less when it is read"
+        )
 
 
 def plain(value: Any, finite: bool = False) -> Any:

@@ -26,6 +26,27 @@ double top_speed(const VelocityProfile& profile) {
   return top;
 }
 
+/// A walk begins on the feet. @throws InputError  the COM lies lower than the soles or hardly over them
+void require_upright(const Dynamics& dyn) {
+  constexpr double kLeastHeight = 0.01;  // [m]
+  const double z_c = height_over_soles(dyn);
+  if (!std::isfinite(z_c)) throw InputError("the robot's position is too large a number for its COM to be known");
+  if (z_c < kLeastHeight)
+    throw InputError("the COM lies " + std::to_string(z_c) +
+                     " m over the soles: the robot is upside down or lies on the ground; place it on its feet first");
+}
+
+/// Between two calls a robot moves about as far as its speed takes it. One that was put somewhere else has begun another walk.
+/// @param robot  in the state of the last cycle  @param elapsed  since then [s]. @throws InputError
+void require_continuous(const Robot& robot, const State& state, double elapsed) {
+  constexpr double kLeap = 0.25;  // more than any reset of an odometry [m]
+  const double moved = (state.q.head<3>() - robot.qpos().head<3>()).norm();
+  const double speed = std::max(robot.qvel().head<3>().norm(), state.dq.head<3>().norm());
+  if (moved > kLeap + 3.0 * speed * elapsed)
+    throw InputError("the base has jumped by " + std::to_string(moved) +
+                     " m since the last update: the robot was placed elsewhere; call reset to start a walk anew");
+}
+
 }  // namespace
 
 WalkingController::WalkingController(const Model& model, const RobotDescription& description,
@@ -188,6 +209,7 @@ double WalkingController::start_excursion(double scale) const {
 void WalkingController::reset(const State& state) {
   require_state(state, robot_.nv());
   robot_.read(state);
+  require_upright(robot_.dynamics());
   clock_.reset(state.time);
   start();
 }
@@ -235,6 +257,7 @@ const CycleOutput& WalkingController::update(const State& state) {
   require_state(state, robot_.nv());
   require_external(state.external);
   clock_.require(state.time);
+  require_continuous(robot_, state, elapsed(state.time));
   out_.fresh = clock_.due(state.time);
   if (!out_.fresh) {
     clock_.hold(state.time);
@@ -254,6 +277,7 @@ const CycleOutput& WalkingController::update(const Data& data, Terms terms, cons
   require_external(sensed.external);
   robot_.observe(data, state_);
   clock_.require(state_.time);
+  require_continuous(robot_, state_, elapsed(state_.time));
   const bool due = clock_.due(state_.time);
   if (due && terms == Terms::kInData) robot_.require_computed(data);
   out_.fresh = due;

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 from pathlib import Path
 from typing import Any
@@ -11,23 +12,24 @@ import click
 from ..errors import InputError, ModelError
 from ..files import as_input_error, whole
 from ..robots import examine, robot_file, write_description
+from .options import PathName, RobotName
 from .terminal import BAD_INPUT, STOOD, complain, new_console, number
 
 __all__ = ["command"]
 
 
 @click.command("inspect")
-@click.argument("model")
+@click.argument("model", type=RobotName())
 @click.option("--json", "as_json", is_flag=True, help="Print what was found as JSON.")
 @click.option(
     "--write",
-    type=click.Path(path_type=Path),
+    type=PathName(),
     metavar="FILE",
     help="Write the description that was found into FILE, a robot.json.",
 )
 @click.option(
     "--figure",
-    type=click.Path(path_type=Path),
+    type=PathName(),
     metavar="FILE",
     help="Draw the robot, its soles and its COM into FILE, a .png, .pdf or .svg.",
 )
@@ -45,10 +47,7 @@ def command(model: str, as_json: bool, write: Path | None, figure: Path | None) 
         for reason in error.reasons:
             complain(reason)
         return BAD_INPUT
-    if write is not None:
-        write_description(write, robot_file(model), proposal)
-    if figure is not None:
-        _draw(figure, loaded, proposal)
+    _deliver(model, loaded, proposal, write, figure)
     if as_json:
         click.echo(json.dumps(proposal.table, indent=2, allow_nan=False))
     else:
@@ -58,12 +57,16 @@ def command(model: str, as_json: bool, write: Path | None, figure: Path | None) 
     return STOOD
 
 
-def _draw(path: Path, model: Any, proposal: Any) -> None:
-    from ..figures.robot import draw  # matplotlib is slow to import
+def _deliver(name: str, model: Any, proposal: Any, description: Path | None, figure: Path | None) -> None:
+    """Writes what was asked for: both files, or none where one of them cannot be written."""
+    with contextlib.ExitStack() as drafts:
+        if figure is not None:
+            from ..figures.robot import draw  # matplotlib is slow to import
 
-    figure = draw(model, proposal)
-    with as_input_error(path), whole(path) as draft:
-        figure.savefig(draft)
+            drafts.enter_context(as_input_error(figure))
+            draw(model, proposal).savefig(drafts.enter_context(whole(figure)))
+        if description is not None:
+            write_description(description, robot_file(name), proposal)
 
 
 def _print_inspection(found: dict[str, Any]) -> None:

@@ -12,19 +12,19 @@ from ..errors import InputError
 from ..files import as_input_error
 from ..simulation import simulate
 from ..trace import Trace
-from .options import push_option, size_of, walk_options
+from .options import PathName, push_option, size_of, walk_options
 from .terminal import STOOD, Progress
 
 __all__ = ["command"]
 
 
 @click.command("video")
-@click.argument("trace", type=click.Path(path_type=Path), required=False)
+@click.argument("trace", type=PathName(), required=False)
 @walk_options
 @push_option
 @click.option(
     "--out",
-    type=click.Path(path_type=Path),
+    type=PathName(),
     default="walk.mp4",
     show_default=True,
     help="File to write, a .mp4 or .gif.",

@@ -17,8 +17,8 @@ from ..profiles import profile_of
 from ..robots import examine
 from ..simulation import ON_FALL, Outside, WalkingController, check_duration, run
 from ..trace import Trace
-from .options import format_option, push_option, unsure, walk_options
-from .terminal import FELL, INTERRUPTED, STOOD, Progress, new_console, number
+from .options import PathName, format_option, push_option, unsure, walk_options
+from .terminal import FELL, INTERRUPTED, STOOD, Progress, listened, new_console, number
 
 __all__ = ["command"]
 
@@ -29,7 +29,7 @@ MISMATCH = 0.002  # feet off the planned velocity by this are worth a warning [m
 @walk_options
 @click.option(
     "--motion",
-    type=click.Path(path_type=Path),
+    type=PathName(),
     help="CSV file with angles of arms, waist and trunk over time, headed t,JOINT,...",
 )
 @push_option
@@ -49,9 +49,7 @@ MISMATCH = 0.002  # feet off the planned velocity by this are worth a warning [m
     show_default=True,
     help="go_on: walk on until the robot lies on the ground, whatever the controller says.",
 )
-@click.option(
-    "--out", type=click.Path(path_type=Path), help="Folder for trace, summary and figures.  [default: out/ROBOT-LAW]"
-)
+@click.option("--out", type=PathName(), help="Folder for trace, summary and figures.  [default: out/ROBOT-LAW]")
 @click.option("--json", "as_json", is_flag=True, help="Print nothing but the summary, as JSON, on stdout.")
 @click.option("--no-figures", is_flag=True, help="Write only trace and summary, which is faster.")
 @format_option
@@ -74,13 +72,14 @@ def command(
     """Walk a robot in MuJoCo, then write trace, summary and figures into a folder."""
     # Everything that can be wrong is found out before anything is written.
     velocity = profile_of(profile)
-    duration = check_duration(duration)
+    check_duration(duration)
     model, found = examine(robot)
     name = robot if robot.isidentifier() else found.description.name
     controller = WalkingController(model, found.description, settings, velocity)
     controller.move(None if motion is None else JointMotion.from_csv(motion))
     outside = Outside.of(controller, seed, push, on_fall, unsure(uncertain), simulated)
     outside.simulation(controller)
+    duration = check_duration(duration, controller)
     mismatch = controller.plan_mismatch(duration)
     out = out or Path("out") / f"{name}-{settings.law}"
     with together(out) as (draft, deliver):
@@ -105,10 +104,11 @@ def command(
         _remove_stale_figures(out, files)
 
     summary = trace.summary()
-    if as_json:
-        click.echo(json.dumps(summary, indent=2, allow_nan=False))
-    else:
-        _print_summary(summary, out, len(files))
+    with listened():
+        if as_json:
+            click.echo(json.dumps(summary, indent=2, allow_nan=False))
+        else:
+            _print_summary(summary, out, len(files))
     if summary["foreseen_time"] is not None:
         print(
             f"zmpwalk: a fall was foreseen at t = {summary['foreseen_time']:.3f} s: {summary['foreseen_cause']}",

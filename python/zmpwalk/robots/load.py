@@ -9,7 +9,7 @@ from typing import Any, Tuple, Union
 import mujoco
 
 from .._core import RobotDescription
-from ..errors import InputError
+from ..errors import Error, InputError
 from .description import description_from_dict, model_file, read_description, read_json, renamed
 from .menagerie import PREFIX, menagerie_file
 from .proposal import Proposal, appraise, describe, propose
@@ -151,6 +151,15 @@ def _name_of(robot: str, path: Path) -> str:
 
 
 def _find(robot: str | os.PathLike) -> Path:
+    try:
+        return _look_for(robot)
+    except Error:
+        raise
+    except (OSError, RuntimeError, ValueError) as error:  # too long, no such user, no name at all
+        raise InputError(f"{str(robot)[:60]!r} is no robot's name and no path of a file ({error})") from None
+
+
+def _look_for(robot: str | os.PathLike) -> Path:
     bundled = _bundled()
     if robot in bundled:
         return bundled[str(robot)]

@@ -139,7 +139,8 @@ class WalkingController {
   void require_startable() const;
   double start_excursion(double scale) const;  // of the COM from the first stance foot, for the plan times `scale` [m]
   void require_external(const std::vector<ExternalWrench>& external) const;
-  void start();                               // a walk begins with the dynamics of this instant
+  void start();  // a walk begins with the dynamics of this instant
+  double elapsed(double time) const { return clock_.cycles() ? time - out_.t : clock_.since_start(time); }
   void feel(const MeasuredContact& contact);  // where the state does not know better
   bool believe();  // puts the attitude that is believed into state_; false where it is the measured one
   void cycle(const State& state);
