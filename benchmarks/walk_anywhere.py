@@ -1,7 +1,7 @@
 """Commands in every direction: `python benchmarks/walk_anywhere.py [ROBOT.json ...] [--page docs/walk_anywhere.md]`.
 
 `--only ladder` (also `make ladder`) walks faster and faster until the robot falls. The other parts: directions, script,
-stops, jumps, idle, robots. `--page` writes that page's part for this MuJoCo, and its figures.
+stops, jumps, idle, robots, all axes. `--page` writes that page's part for this MuJoCo, and its figures.
 """
 
 import argparse
@@ -42,6 +42,9 @@ ROBOT_SCRIPT = (
     ((0, 0, 0), 1), ((0.0935, 0, 0), 3), ((0.06, 0, 0.08), 3), ((-0.05, 0, 0), 2), ((0, 0.03, 0), 2.5),
     ((0, 0, -0.08), 2.5), ((0.05, 0.02, 0.05), 2), ((0, 0, 0), 3.5),
 )  # fmt: skip
+# Jumps of all three velocities together: they are held for so long, and go as far as the script above [s].
+HELD, AXES_FROM, AXES_DURATION = (1.0, 2.0), 1.0, 15.0
+BUNDLED_TIMES = 2.0  # how much farther than that the bundled robot's jump
 
 
 def script(segments, scale=(1.0, 1.0, 1.0), change=CHANGE):
@@ -68,6 +71,16 @@ def jumps(seed):
 def live(points):
     """The same as a command."""
     return lambda t, out: [v for start, v in points if start <= t][-1]
+
+
+def axis_jumps(seed, largest):
+    """Velocities (vx, vy, wz) that jump within +-`largest` (3,): [(t, velocity)] [s]."""
+    random = np.random.default_rng(seed)
+    points, t = [(0.0, (0.0, 0.0, 0.0))], AXES_FROM
+    while t < AXES_DURATION:
+        points.append((t, tuple(random.uniform(-1, 1, 3) * largest)))
+        t += random.uniform(*HELD)
+    return points
 
 
 def walk(speed):
@@ -264,14 +277,45 @@ def idle(run):
     return [f"20 s: {result(trace.meta['fall_time'])}; from {IDLE_FROM:g} s on the COM moves {text}."]
 
 
-def robot_walk(robot):
-    """Arguments of the walk of ROBOT_SCRIPT, scaled."""
+def scales(robot):
+    """Model, description and what vx, vy and wz of ROBOT_SCRIPT are multiplied by for this robot."""
     model, description = zmpwalk.load_robot(robot)
     still = zmpwalk.WalkingController(model, description, profile=VelocityProfile.constant(0.0))
     g, z_c = float(np.linalg.norm(model.opt.gravity)), still.com_height
     T_c = math.sqrt(z_c / g)
-    profile, duration = script(ROBOT_SCRIPT, (math.sqrt(g * z_c), math.sqrt(g * z_c), 1 / T_c))
-    return {"robot": (model, description), "profile": profile, "duration": duration}
+    return (model, description), (math.sqrt(g * z_c), math.sqrt(g * z_c), 1 / T_c)
+
+
+def robot_walk(robot):
+    """Arguments of the walk of ROBOT_SCRIPT, scaled."""
+    robot, scale = scales(robot)
+    profile, duration = script(ROBOT_SCRIPT, scale)
+    return {"robot": robot, "profile": profile, "duration": duration}
+
+
+def axis_walks(robot, seeds):
+    """Largest velocity (3,), and arguments of walks whose three velocities jump together, one for each seed."""
+    loaded, scale = scales(robot)
+    times = BUNDLED_TIMES if robot == "mahru" else 1.0
+    largest = times * np.abs([v for v, _ in ROBOT_SCRIPT]).max(axis=0) * scale
+    zero = VelocityProfile.constant(0.0)
+    return largest, [
+        {"robot": loaded, "profile": zero, "duration": AXES_DURATION, "command": live(axis_jumps(seed, largest))}
+        for seed in seeds
+    ]
+
+
+def all_axes(run, robots, seeds=SEEDS):
+    rows = []
+    for robot in robots:
+        largest, walks = axis_walks(robot, range(seeds))
+        fallen = [(seed, trace.meta["fall_time"]) for seed, trace in enumerate(run(walks)) if trace.meta["fell"]]
+        which = ": " + ", ".join(f"seed {seed} at {t:.1f} s" for seed, t in fallen) if fallen else ""
+        name = walks[0]["robot"][1].name
+        rows.append(
+            (name, ", ".join(f"{v:.2f}" for v in largest), marked(f"{len(fallen)} of {seeds}{which}", not fallen))
+        )
+    return table(("robot", "vx, vy, wz at most", "falls"), rows)
 
 
 def other_robots(run, robots):
@@ -337,11 +381,18 @@ PARTS = {
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("robots", nargs="*", metavar="ROBOT.json", help="further robots, for the part 'robots'")
-    parser.add_argument("--only", choices=[*PARTS, "robots"], help="one part")
+    parser.add_argument(
+        "robots", nargs="*", metavar="ROBOT.json", help="further robots, for the parts 'robots' and 'all axes'"
+    )
+    parser.add_argument("--only", choices=[*PARTS, "robots", "all axes"], help="one part")
     parser.add_argument("--page", type=Path, metavar="FILE", help="update that page and its figures")
     args = parser.parse_args()
-    parts = {**PARTS, "robots": lambda run: other_robots(run, ["mahru", *args.robots])}
+    robots = ["mahru", *args.robots]
+    parts = {
+        **PARTS,
+        "robots": lambda run: other_robots(run, robots),
+        "all axes": lambda run: all_axes(run, robots),
+    }
     chosen = {args.only: parts[args.only]} if args.only else parts
     number, blocks = mujoco.__version__[0], {}
     with Progress(console=Console(stderr=True), transient=True) as progress:

@@ -45,7 +45,9 @@ static_assert(mjTRN_JOINT == 0 && mjTRN_JOINTINPARENT == 1 && mjTRN_SLIDERCRANK 
               "transmissions");
 static_assert(mjWRAP_JOINT == 1 && mjWRAP_SITE == 3 && mjWRAP_SPHERE == 4 && mjWRAP_CYLINDER == 5, "tendon paths");
 static_assert(mjDYN_NONE == 0 && mjGAIN_FIXED == 0 && mjBIAS_NONE == 0 && mjBIAS_AFFINE == 1, "actuators");
-static_assert(mjGEOM_BOX == 6 && mjINT_RK4 == 1, "shapes and integrators");
+static_assert(mjGEOM_SPHERE == 2 && mjGEOM_CAPSULE == 3 && mjGEOM_ELLIPSOID == 4 && mjGEOM_CYLINDER == 5 &&
+                  mjGEOM_BOX == 6 && mjGEOM_MESH == 7 && mjINT_RK4 == 1,
+              "shapes and integrators");
 static_assert(std::is_same_v<mjtNum, double>, "MuJoCo of double precision");
 
 // ---- the functions of libmujoco

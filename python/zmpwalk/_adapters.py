@@ -24,7 +24,7 @@ __all__ = ["adapter_file", "adapter_versions", "build_adapter", "libmujoco_file"
 PACKAGE = Path(__file__).resolve().parent
 OWN = PACKAGE / "adapters"  # those that come with zmpwalk
 COMMAND = "zmpwalk build-adapter"
-INTERFACE = 1  # ZMPWALK_ADAPTER_INTERFACE of mujoco_adapter.h: an adapter of another zmpwalk may not fit
+INTERFACE = 2  # ZMPWALK_ADAPTER_INTERFACE of mujoco_adapter.h: an adapter of another zmpwalk may not fit
 
 
 def adapter_file(version: str) -> Path | None:

@@ -29,7 +29,8 @@ FootstepPlanner planner(const WalkSettings& s, const VelocityProfile& profile) {
 
 /// One cycle of a single support, of which `share` has gone by and whose foothold may follow the COM.
 Foothold follow(FootstepPlanner& feet, Side swing, double t_mid, double ahead_of_plan, double aside, double share) {
-  if (feet.follows(share)) feet.follow(ahead_of_plan, aside, feet.planned(swing, feet.stance_at(t_mid, kPeriod)));
+  const PathPoint planned = feet.planned(swing, feet.stance_at(t_mid, kPeriod));
+  if (feet.follows(share)) feet.follow(feet.off_nominal(ahead_of_plan, aside, planned), planned);
   return feet.target();
 }
 
@@ -255,18 +256,21 @@ BOOST_AUTO_TEST_CASE(tied_foothold_goes_where_the_com_will_be_half_a_step_behind
   CHECK_NEAR(to.p, Vec2(wanted, -0.12), 1e-9);
 }
 
-BOOST_AUTO_TEST_CASE(tied_foothold_is_low_passed_clamped_and_frozen) {
+BOOST_AUTO_TEST_CASE(tied_foothold_is_low_passed_and_frozen) {
   const WalkSettings s = settings(Footsteps::kTied);
   FootstepPlanner feet = planner(s, steady);
   feet.advance(4.6, Vec2(0.55, 0));
   const Foothold nominal = feet.begin_step(3, kRight, {Vec2(0.5, 0.11), 0.0}, feet.stance_at(5.0, kPeriod));
   Side swing = kRight;
-  const auto update = [&](double share, double aside) { return follow(feet, swing, 5.0, 2.0, aside, share).p; };
-  CHECK_NEAR(update(0.1, 0.0).x() - nominal.p.x(), s.steps.shift * (1 - std::exp(-kDt / s.steps.filter_time)), 1e-12);
-  for (int k = 0; k < 2000; ++k) update(0.1, -2.0);
-  CHECK_NEAR(update(0.1, -2.0) - nominal.p, Vec2(s.steps.shift, -s.steps.shift), 1e-9);
-  for (int k = 0; k < 2000; ++k) update(0.1, 2.0);
-  CHECK_NEAR(update(0.1, 2.0).y(), std::min(-0.11 + s.steps.shift, 0.11 - kSole.width - s.steps.clearance), 1e-9);
+  const PathPoint planned = feet.planned(kRight, feet.stance_at(5.0, kPeriod));
+  const double off = feet.off_nominal(0.4, 0.0, planned).x();
+  CHECK_NEAR(off, 0.4 + (planned.p - nominal.p).dot(planned.ahead), 1e-12);
+  const auto update = [&](double share, double aside) { return follow(feet, swing, 5.0, 0.4, aside, share).p; };
+  CHECK_NEAR(update(0.1, 0.0).x() - nominal.p.x(), off * (1 - std::exp(-kDt / s.steps.filter_time)), 1e-12);
+  for (int k = 0; k < 2000; ++k) update(0.1, -0.4);
+  CHECK_NEAR(update(0.1, -0.4) - nominal.p, Vec2(off, -0.4), 1e-9);
+  for (int k = 0; k < 2000; ++k) update(0.1, 0.4);
+  CHECK_NEAR(update(0.1, 0.4).y(), std::min(-0.11 + 0.4, 0.11 - kSole.width - s.steps.clearance), 1e-9);
   swing = kLeft;
   feet.begin_step(4, kLeft, {Vec2(0.7, -0.11), 0.0}, feet.stance_at(5.8, kPeriod));
   const Vec2 frozen = feet.target().p;
@@ -288,7 +292,7 @@ BOOST_AUTO_TEST_CASE(tied_foothold_stays_within_reach_of_the_leg_and_of_the_time
     const auto after = [&](double ahead, double way) {
       const PathPoint plan = feet.planned(kRight, feet.stance_at(5.0, kPeriod));
       const LandingRoom room{nominal.p, Vec2::Constant(way)};
-      for (int k = 0; k < 2000; ++k) feet.follow(ahead, 0.0, plan, &room);
+      for (int k = 0; k < 2000; ++k) feet.follow(feet.off_nominal(ahead, 0.0, plan), plan, &room, &room);
       return feet.target().p.x() - stance.x();
     };
     const double longest = std::max(most, 1.15 * lead);  // where the plan goes that far, a little further

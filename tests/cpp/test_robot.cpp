@@ -7,6 +7,7 @@
 #include "zmpwalk/math/rotation.hpp"
 #include "zmpwalk/robot/contact_forces.hpp"
 #include "zmpwalk/robot/robot.hpp"
+#include "zmpwalk/robot/shape.hpp"
 
 using namespace zmpwalk;
 using namespace zmpwalk::testing;
@@ -340,4 +341,64 @@ BOOST_AUTO_TEST_CASE(inertia_times_a_vector_is_that_of_mujoco) {
   VecX force = VecX::LinSpaced(m->nv, -1.0, 1.0), product(m->nv);
   mj_mulM(m, d.get(), product.data(), force.data());
   BOOST_CHECK_SMALL((ours * force - product).norm(), 1e-10);
+}
+
+BOOST_AUTO_TEST_CASE(shapes_reach_as_far_as_the_points_on_their_surface) {
+  const ModelPtr m = load_text(R"(<mujoco>
+    <asset><mesh name="wedge" vertex="0.1 0 0  -0.1 0.02 0  -0.1 -0.05 0  0 0 0.08"/></asset>
+    <worldbody>
+      <geom type="sphere" size="0.07"/>
+      <geom type="capsule" size="0.03 0.1"/>
+      <geom type="ellipsoid" size="0.03 0.1 0.05"/>
+      <geom type="cylinder" size="0.06 0.02"/>
+      <geom type="box" size="0.03 0.1 0.05"/>
+      <geom type="mesh" mesh="wedge"/>
+    </worldbody></mujoco>)");
+  // Points on the surface, from two numbers in [0, 1) and a sign.
+  const auto on_sphere = [](double a, double b) {
+    const double z = 2 * a - 1, r = std::sqrt(1 - z * z);
+    return Vec3(r * std::cos(2 * M_PI * b), r * std::sin(2 * M_PI * b), z);
+  };
+  const auto point = [&](int geom, double a, double b, double sign) -> Vec3 {
+    const Eigen::Map<const Vec3> size(m->geom_size + 3 * geom);
+    const Vec3 s = on_sphere(a, b);
+    switch (geom) {
+      case 0:
+        return size[0] * s;
+      case 1:
+        return size[0] * s + std::copysign(size[1], s.z()) * Vec3::UnitZ();
+      case 2:
+        return size.cwiseProduct(s);
+      case 3:
+        return {size[0] * std::cos(2 * M_PI * b), size[0] * std::sin(2 * M_PI * b), sign * size[1]};
+      default:
+        return {std::copysign(size[0], s.x()), std::copysign(size[1], s.y()), std::copysign(size[2], s.z())};
+    }
+  };
+  Numbers numbers(5);
+  for (int geom = 0; geom < 5; ++geom)
+    for (int n = 0; n < 20; ++n) {
+      const Vec3 towards = Vec3(numbers.vector(3, 1.0)).normalized();
+      double farthest = 0.0;
+      for (int k = 0; k < 20000; ++k)
+        farthest = std::max(farthest,
+                            towards.dot(point(geom, numbers.uniform(0, 1), numbers.uniform(0, 1), k % 2 ? 1.0 : -1.0)));
+      const double extent = Shape{m.get(), geom}.extent(towards);
+      BOOST_CHECK_GE(extent, farthest - 1e-12);
+      BOOST_CHECK_LE(extent, farthest + 2e-3);
+    }
+  // The mesh's own origin is where MuJoCo puts it, so lengths are compared.
+  const Shape wedge{m.get(), 5};
+  const Eigen::Quaterniond turn(m->geom_quat[20], m->geom_quat[21], m->geom_quat[22], m->geom_quat[23]);
+  const Vec3 x = turn.inverse() * Vec3::UnitX(), z = turn.inverse() * Vec3::UnitZ();
+  CHECK_NEAR(wedge.extent(x) + wedge.extent(-x), 0.2, 1e-6);
+  CHECK_NEAR(wedge.extent(z) + wedge.extent(-z), 0.08, 1e-6);
+}
+
+BOOST_AUTO_TEST_CASE(foot_reaches_to_the_edges_of_its_shapes) {
+  const Robot robot(mahru(), describe(mahru()));
+  for (const Side side : kSides) {
+    const Foot& foot = robot.description().feet[side];
+    CHECK_NEAR(robot.foot_reach(side), 0.5 * Vec2(foot.length, foot.width), 1e-9);
+  }
 }

@@ -154,3 +154,13 @@ def test_other_robots_follow_a_mix_of_commands(test_robots, name):
     percent, _, angle, _ = walk_anywhere.miss(trace)
     assert (percent < walk_anywhere.LARGEST_MISS[0], angle < walk_anywhere.LARGEST_MISS[1]) == (True, True)
     assert trace.torque_ratio.max() < 1
+
+
+# Seeds with reversals, turns out of a stand, and feet that pass close beside each other.
+@pytest.mark.parametrize(
+    ("name", "seeds"), [("unitree_g1", (8, 9)), ("fourier_n1", (6, 9, 12, 23)), ("robotis_op3", (9, 13, 16, 18))]
+)
+def test_jumps_of_all_velocities_do_not_fell_other_robots(test_robots, name, seeds):
+    _, walks = walk_anywhere.axis_walks(test_robots / name / "robot.json", seeds)
+    falls = {seed: t.meta["fall_time"] for seed, t in zip(seeds, zmpwalk.simulate_batch(walks)) if t.meta["fell"]}
+    assert falls == {}

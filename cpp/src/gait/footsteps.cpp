@@ -1,7 +1,6 @@
 #include "zmpwalk/gait/footsteps.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "zmpwalk/math/error.hpp"
 #include "zmpwalk/math/rotation.hpp"
@@ -54,8 +53,9 @@ PathPoint FootstepPlanner::planned(Side swing, const PlannedStance& next) const 
 
 Vec2 FootstepPlanner::clear(const Foothold& place) const {
   const double turn = std::abs(wrap_angle(place.yaw - stance_.yaw));
-  // The stance sole's half width, and how far the corner of a sole turned by `turn` reaches.
-  const double apart = 0.5 * (sole_.width + sole_.width * std::cos(turn) + sole_.length * std::sin(turn));
+  // The stance foot's half width, and how far the corner of a foot turned by `turn` reaches.
+  const double apart =
+      0.5 * (sole_.foot_width + sole_.foot_width * std::cos(turn) + sole_.foot_length * std::sin(turn));
   const Vec2 left = stance_.left();
   const double gap = side_sign(swing_) * (place.p - stance_.p).dot(left) - apart - settings_.steps.clearance;
   return gap < 0.0 ? Vec2(place.p - side_sign(swing_) * gap * left) : place.p;
@@ -100,28 +100,28 @@ void FootstepPlanner::close(Side swing, const Foothold& stance, double xi) {
   if (closing_) nominal_ = target_ = beside;
 }
 
-const Foothold& FootstepPlanner::follow(double ahead_of_plan, double aside, const PathPoint& planned,
-                                        const LandingRoom* room) {
-  const Vec2 left = planned.left();
-  const double most = room ? std::numeric_limits<double>::infinity() : settings_.steps.shift;
+Vec2 FootstepPlanner::off_nominal(double ahead_of_plan, double aside, const PathPoint& planned) const {
   const Vec2 off = planned.p + ahead_of_plan * planned.ahead - nominal_.p;
+  return {off.dot(planned.ahead), off.dot(planned.left()) + aside};
+}
+
+const Foothold& FootstepPlanner::follow(const Vec2& off, const PathPoint& planned, const LandingRoom* ahead,
+                                        const LandingRoom* beside) {
+  const Vec2 left = planned.left();
   Foothold wanted = planned;
-  wanted.p = nominal_.p + std::clamp(off.dot(planned.ahead), -most, most) * planned.ahead +
-             (off.dot(left) + std::clamp(aside, -most, most)) * left;
+  wanted.p = nominal_.p + off.x() * planned.ahead + off.y() * left;
   // Within reach of the leg, and of the time that is left; where the plan goes, and where the foot goes already, it may go on.
-  const auto within = [&](const Vec2& axis, double reach, double far) {
+  const auto within = [&](const Vec2& axis, const Vec2& foot, double reach, double far) {
     const double planned_there = (nominal_.p - stance_.p).dot(axis), now = (target_.p - stance_.p).dot(axis);
-    const double by_itself = (room->foot - stance_.p).dot(axis), there = (wanted.p - stance_.p).dot(axis);
+    const double by_itself = (foot - stance_.p).dot(axis), there = (wanted.p - stance_.p).dot(axis);
     const double lower =
         std::max(std::min(-reach, kLonger * planned_there), std::min({by_itself - far, now, planned_there}));
     const double upper =
         std::min(std::max(reach, kLonger * planned_there), std::max({by_itself + far, now, planned_there}));
     wanted.p += (std::max(std::min(there, upper), lower) - there) * axis;
   };
-  if (room) {
-    within(planned.ahead, settings_.steps.ahead_most, room->way.x());
-    within(left, settings_.steps.aside_most, room->way.y());
-  }
+  if (ahead) within(planned.ahead, ahead->foot, settings_.steps.ahead_most, ahead->way.x());
+  if (beside) within(left, beside->foot, settings_.steps.aside_most, beside->way.y());
   target_.p += blend_ * (clear(wanted) - target_.p);
   target_.yaw += blend_ * wrap_angle(wanted.yaw - target_.yaw);
   return target_;

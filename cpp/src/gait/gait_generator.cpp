@@ -11,6 +11,12 @@
 namespace zmpwalk {
 namespace {
 
+/// Share of the ZMP's bounds over the next foot within which the DCM is to be when that foot takes over. A DCM beyond them cannot be held there; the rest is
+/// for what the plan does not know.
+constexpr double kHeld = 0.8;
+/// Share of `steps.capture_distance` by which it may be off its plan all the same: the plan of a fast walk goes to the edge of those bounds.
+constexpr double kAlways = 0.1;
+
 Side first_swing(const WalkSettings& settings) { return settings.gait.first_swing; }
 
 }  // namespace
@@ -55,7 +61,7 @@ GaitGenerator::GaitGenerator(const WalkSettings& settings, const VelocityProfile
       pendulum_(1.0, 1.0),
       bounds_(bounds),
       whole_(whole),
-      least_apart_(sole.width + settings.steps.clearance),
+      least_apart_(sole.foot_width + settings.steps.clearance),
       recovers_(settings.steps.timing && settings.steps.mode == Footsteps::kTied) {
   plan_.reserve();
 }
@@ -349,8 +355,12 @@ void GaitGenerator::capture(const GaitInput& in, double time) {
                       : decided       ? (footsteps_.target().p - out_.origin).dot(ahead_next_)
                                       : planned_lead();
   const double planned = foot + xi_start_, near = settings_.steps.capture_distance;
+  // Near its plan, and where the ZMP over the next foot can hold it.
+  const ZmpBounds& there = bounds_[other(out_.support)];
+  const double least = std::max(planned - near, std::min(planned - kAlways * near, foot + kHeld * there.lower.x()));
+  const double most = std::min(planned + near, std::max(planned + kAlways * near, foot + kHeld * there.upper.x()));
   const double alone = xi_next_ - slope * out_.dv_capture;
-  const double dv = out_.dv_capture + (std::clamp(alone, planned - near, planned + near) - xi_next_) / slope;
+  const double dv = out_.dv_capture + (std::clamp(alone, least, most) - xi_next_) / slope;
   out_.dv_capture = std::clamp(dv, -settings_.steps.capture_speed, settings_.steps.capture_speed);
 }
 
@@ -438,10 +448,13 @@ void GaitGenerator::move_sideways(const GaitInput& in) {
     }
     if (footsteps_.follows(decided_share(in))) {
       const PathPoint planned = footsteps_.planned(out_.swing, next_);
-      const double aside = lateral_.miss(sway(planned.p));
+      const Vec2 off = footsteps_.off_nominal(ahead_of_plan(in, planned.p), lateral_.miss(sway(planned.p)), planned);
+      // A long way is bounded by what the leg and the foot in the air can do.
+      const bool pushed = pushed_ > 0.0, far_ahead = pushed || std::abs(off.x()) > settings_.steps.shift,
+                 far_beside = pushed || std::abs(off.y()) > settings_.steps.shift;
       LandingRoom reachable;
-      if (pushed_ > 0.0) reachable = landing_room(in);
-      footsteps_.follow(ahead_of_plan(in, planned.p), aside, planned, pushed_ > 0.0 ? &reachable : nullptr);
+      if (far_ahead || far_beside) reachable = landing_room(in);
+      footsteps_.follow(off, planned, far_ahead ? &reachable : nullptr, far_beside ? &reachable : nullptr);
     }
     out_.foothold = footsteps_.target();
   }

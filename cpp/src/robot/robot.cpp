@@ -7,6 +7,7 @@
 #include "zmpwalk/math/error.hpp"
 #include "zmpwalk/robot/mujoco.hpp"
 #include "zmpwalk/robot/rules/stand_rules.hpp"
+#include "zmpwalk/robot/shape.hpp"
 #include "zmpwalk/robot/words.hpp"
 
 namespace zmpwalk {
@@ -40,6 +41,7 @@ Robot::Robot(const Model& m, const RobotDescription& description)
       data_(m_),
       dynamics_(tree_nv(m, m.jnt_bodyid[checked_root(m, description)])),
       nv_(dynamics_.nv()),
+      computed_terms_(m, m.jnt_bodyid[checked_root(m, description)]),
       actuation_(m, tree_joints(m, m.jnt_bodyid[checked_root(m, description)]), description.torque_limits) {
   const int root = description.free_joint(m);
   root_body_ = m.jnt_bodyid[root];
@@ -212,36 +214,7 @@ void Robot::compute() {
   collect(own);
 }
 
-void Robot::require_computed(const Data& d) const {
-  const char* stale = nullptr;
-  for (int i = 0; i < 3; ++i)
-    if (d.xpos[3 * root_body_ + i] != d.qpos[qpos0_ + i]) stale = "qpos";
-  const Eigen::Quaterniond base(d.qpos[qpos0_ + 3], d.qpos[qpos0_ + 4], d.qpos[qpos0_ + 5], d.qpos[qpos0_ + 6]);
-  constexpr double kRounding = 1e-9;
-  const ConstRowMat3Map R_WB(d.xmat + 9 * root_body_);
-  if ((base.normalized().toRotationMatrix() - R_WB).cwiseAbs().maxCoeff() > kRounding) stale = "qpos";
-  // What a joint's motor moves by is in the data too.
-  for (int a = 0; a < m_.nu; ++a) {
-    if (m_.actuator_trntype[a] != mj::kByJoint) continue;
-    const int joint = m_.actuator_trnid[2 * a], kind = m_.jnt_type[joint];
-    if (kind != mj::kHinge && kind != mj::kSlide) continue;
-    const double length = m_.actuator_gear[6 * a] * d.qpos[m_.jnt_qposadr[joint]];
-    if (std::abs(d.actuator_length[a] - length) > kRounding * (1.0 + std::abs(length))) stale = "qpos";
-  }
-  // The velocity of each body is that of the body above it, and what its own joints add (com_vel).
-  using Vec6Map = Eigen::Map<const Vec6>;
-  for (int b = root_body_; b < m_.nbody; ++b) {
-    if (m_.body_rootid[b] != root_body_ || m_.body_dofnum[b] == 0) continue;
-    Vec6 cvel = Vec6Map(d.cvel + 6 * m_.body_parentid[b]);
-    for (int i = m_.body_dofadr[b]; i < m_.body_dofadr[b] + m_.body_dofnum[b]; ++i)
-      cvel += Vec6Map(d.cdof + 6 * i) * d.qvel[i];
-    if ((cvel - Vec6Map(d.cvel + 6 * b)).cwiseAbs().maxCoeff() > kRounding * (1.0 + cvel.cwiseAbs().maxCoeff()))
-      stale = "qvel";
-  }
-  if (stale)
-    throw InputError(std::string("data's computed terms belong to another state than its ") + stale +
-                     ": call mj_step1 or mj_forward before this update, or let it compute them itself");
-}
+void Robot::require_computed(const Data& d) const { computed_terms_.require(d); }
 
 void Robot::read_computed(const Data& d) {
   copy_state(d.qpos + qpos0_, d.qvel + dof0_);
@@ -340,6 +313,29 @@ double Robot::sole_friction(Side side) const {
     }
   }
   return std::isfinite(least) ? least : own;
+}
+
+Vec2 Robot::foot_reach(Side side) const {
+  OwnData at_stand(m_);
+  description_.place(m_, at_stand);
+  mj::kinematics(m_, at_stand);
+  const BodyFrame& frame = frame_[side];
+  const Mat3 R_WF = Mat3(ConstRowMat3Map(at_stand.xmat + 9 * frame.body)) * frame.R_BF;
+  const Vec3 p_WF = sole_centre(side, at_stand);
+  Vec2 reach = Vec2::Zero();
+  for (int g = 0; g < m_.ngeom; ++g) {
+    const int body = m_.geom_bodyid[g];
+    if (!is_foot(side, body) || !(m_.geom_contype[g] || m_.geom_conaffinity[g])) continue;
+    const Mat3 R_FB = R_WF.transpose() * ConstRowMat3Map(at_stand.xmat + 9 * body);
+    const double* q = m_.geom_quat + 4 * g;
+    const Mat3 R_FG = R_FB * Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
+    const Vec3 p = R_WF.transpose() * (vec3(at_stand.xpos + 3 * body) - p_WF) + R_FB * vec3(m_.geom_pos + 3 * g);
+    const Shape shape{m_, g};
+    const auto far = [&](const Vec3& towards) { return towards.dot(p) + shape.extent(R_FG.transpose() * towards); };
+    const Vec3 ahead = Vec3::UnitX(), inwards = -side_sign(side) * Vec3::UnitY();
+    reach = reach.cwiseMax(Vec2(std::max(far(ahead), far(-ahead)), far(inwards)));
+  }
+  return reach;
 }
 
 std::pair<double, double> Robot::joint_range(int joint) const {

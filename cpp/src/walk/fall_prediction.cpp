@@ -24,7 +24,7 @@ FallPrediction::FallPrediction(const WalkSettings& settings, const SoleSize& sol
       dt_(settings.control.dt),
       wait_time_(settings.steps.wait_time),
       bounds_(bounds),
-      region_({settings.steps.ahead_most, settings.steps.aside_most, sole.width + settings.steps.clearance,
+      region_({settings.steps.ahead_most, settings.steps.aside_most, sole.foot_width + settings.steps.clearance,
                settings.steps.least_time},
               0.5 * Vec2(sole.length, sole.width)) {}
 

@@ -27,9 +27,16 @@ RobotScale scale_of(const Robot& robot) {
   return scale;
 }
 
-SoleSize common_sole(const RobotDescription& description) {
-  const auto& [left, right] = description.feet;
-  return {std::max(left.length, right.length), std::min(left.width, right.width)};
+SoleSize common_sole(const Robot& robot) {
+  constexpr double kRounding = 1e-6;  // [m]
+  const auto& [left, right] = robot.description().feet;
+  SoleSize out{std::max(left.length, right.length), std::min(left.width, right.width)};
+  for (const Side side : kSides) {
+    const Vec2 foot = 2.0 * robot.foot_reach(side);
+    if (foot.x() > out.foot_length + kRounding) out.foot_length = foot.x();
+    if (foot.y() > out.foot_width + kRounding) out.foot_width = foot.y();
+  }
+  return out;
 }
 
 RobotLimits limits_of(const Robot& robot, const WalkSettings& settings) {

@@ -53,7 +53,7 @@ WalkingController::WalkingController(const Model& model, const RobotDescription&
                                      const WalkSettings& settings, const VelocityProfile& profile)
     : robot_(model, with_limits(description, settings.control.torque_limits)),
       profile_(profile),
-      sole_(common_sole(description)),
+      sole_(common_sole(robot_)),
       settings_(resolve(settings, scale_of(robot_), top_speed(profile))),
       bounds_{bounds_of(robot_, kLeft, settings_, settings_.zmp.sole_fraction),
               bounds_of(robot_, kRight, settings_, settings_.zmp.sole_fraction)},

@@ -44,9 +44,10 @@ struct PathPoint : Foothold {
   Vec2 ahead = Vec2::UnitX();
 };
 
-/// Size of a sole [m].
+/// Size of a sole [m], and of the foot as it is seen from above, which keeps clear of the other one.
 struct SoleSize {
   double length = 0.0, width = 0.0;
+  double foot_length = length, foot_width = width;
 };
 
 /// The plan around one stance: in the middle of the double support in which the foot takes over, and in the step period after it.
@@ -131,12 +132,16 @@ class FootstepPlanner {
   bool follows(double share) const {
     return !closing_ && settings_.steps.mode == Footsteps::kTied && share <= settings_.steps.freeze;
   }
-  /// Moves a foothold that `follows` the COM, and returns it.
+  /// How far from its nominal place, ahead and to the left [m], a foothold that `follows` the COM has to land to catch the DCM.
   ///
-  /// @param ahead_of_plan, aside  how far from its planned place the foot has to land to catch the DCM: ahead, and to the left [m]
-  /// @param planned  where the plan puts this foot   @param room  what keeps the foothold besides `steps.shift`, with the reach of the leg; none, if null
-  const Foothold& follow(double ahead_of_plan, double aside, const PathPoint& planned,
-                         const LandingRoom* room = nullptr);
+  /// @param ahead_of_plan, aside  the same from its planned place [m]   @param planned  where the plan puts this foot
+  Vec2 off_nominal(double ahead_of_plan, double aside, const PathPoint& planned) const;
+  /// Moves that foothold there, and returns it.
+  ///
+  /// @param off  see `off_nominal`   @param ahead, beside  what the foot in the air can reach bounds, with the reach of the leg, how far it moves along
+  /// the plan or across it; null where it need not
+  const Foothold& follow(const Vec2& off, const PathPoint& planned, const LandingRoom* ahead = nullptr,
+                         const LandingRoom* beside = nullptr);
 
   const Foothold& target() const { return target_; }
   /// Distance along the ground of an ankle from the point below its hip: the larger one of the foot `side` as it lands and of the other foot as it

@@ -74,10 +74,10 @@ enum : int {
   kBySite = 4,
   kByBody = 5
 };  // actuator_trntype
-enum : int { kOverJoint = 1, kOverSite = 3, kOverSphere = 4, kOverCylinder = 5 };  // wrap_type
-enum : int { kNoDynamics = 0, kFixedGain = 0, kNoBias = 0, kAffineBias = 1 };      // of actuators
-enum : int { kBox = 6 };                                                           // site_type
-enum : int { kRungeKutta = 1 };                                                    // integrator
+enum : int { kOverJoint = 1, kOverSite = 3, kOverSphere = 4, kOverCylinder = 5 };              // wrap_type
+enum : int { kNoDynamics = 0, kFixedGain = 0, kNoBias = 0, kAffineBias = 1 };                  // of actuators
+enum : int { kSphere = 2, kCapsule = 3, kEllipsoid = 4, kCylinder = 5, kBox = 6, kMesh = 7 };  // geom_type, site_type
+enum : int { kRungeKutta = 1 };                                                                // integrator
 
 inline void reset_data(const Model& m, const Data& d) { adapter->reset_data(m.handle, d.handle); }
 inline void kinematics(const Model& m, const Data& d) { adapter->kinematics(m.handle, d.handle); }

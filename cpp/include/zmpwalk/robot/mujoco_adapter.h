@@ -4,7 +4,7 @@
 /* What zmpwalk asks of MuJoCo, in plain C. MuJoCo promises no binary interface between versions, so the core includes none of its headers:
  * an adapter (adapter.cpp) is compiled against the headers of one version, and the core reaches mjModel and mjData through it. */
 
-#define ZMPWALK_ADAPTER_INTERFACE 1 /* counts up with every change of this file */
+#define ZMPWALK_ADAPTER_INTERFACE 2 /* counts up with every change of this file */
 
 #ifdef __cplusplus
 extern "C" {
@@ -25,6 +25,8 @@ extern "C" {
   X(int, dof_bodyid) X(int, dof_jntid) X(int, dof_parentid) X(double, dof_frictionloss) X(double, dof_armature)  \
   X(double, dof_damping)                                                                                         \
   X(int, geom_bodyid) X(int, geom_contype) X(int, geom_conaffinity) X(int, geom_priority) X(double, geom_friction) \
+  X(int, geom_type) X(int, geom_dataid) X(double, geom_size) X(double, geom_pos) X(double, geom_quat)            \
+  X(int, mesh_vertadr) X(int, mesh_vertnum) X(float, mesh_vert)                                                  \
   X(int, site_type) X(int, site_bodyid) X(double, site_size) X(double, site_pos) X(double, site_quat)            \
   X(int, pair_geom1) X(int, pair_geom2)                                                                          \
   X(int, eq_type) X(int, eq_obj1id) X(int, eq_obj2id) X(double, eq_data)                                         \

@@ -7,6 +7,7 @@
 #include "zmpwalk/control/dynamics.hpp"
 #include "zmpwalk/control/external.hpp"
 #include "zmpwalk/robot/actuation.hpp"
+#include "zmpwalk/robot/computed_terms.hpp"
 #include "zmpwalk/robot/description.hpp"
 #include "zmpwalk/robot/mujoco.hpp"
 #include "zmpwalk/robot/state.hpp"
@@ -43,7 +44,7 @@ class Robot {
   /// Does what `read` does, with the same bits, but takes the terms that `d` holds already: call it right after mj_step1 or mj_forward.
   /// Allocates nothing.
   void read_computed(const Data& d);
-  /// @throws InputError  the base in `d` has moved since the terms in `d` were computed. Allocates nothing otherwise.
+  /// @throws InputError  qpos or qvel in `d` have been changed since the terms in `d` were computed (`ComputedTerms`). Allocates nothing otherwise.
   void require_computed(const Data& d) const;
   const Dynamics& dynamics() const { return dynamics_; }
 
@@ -102,6 +103,9 @@ class Robot {
   /// Friction between a sole and the ground in the model: the least of the foot's geoms against the world's, as MuJoCo pairs them; that of
   /// the foot alone where the model has no ground.
   double sole_friction(Side side) const;
+  /// How far a foot reaches from its sole's centre: ahead or behind, and towards the other foot, along the sole's axes at the start pose [m].
+  /// The shapes that collide count, of the foot and of what hangs from it; 0 without any.
+  Vec2 foot_reach(Side side) const;
   /// Geometry of a leg at the start pose.
   RobotLeg leg_at_stand(Side side) const { return leg_[side]; }
   /// Sole centre in W, from the body poses that `d` holds (after mj_step: those of the state before it) [m].
@@ -142,6 +146,7 @@ class Robot {
   std::array<BodyFrame, 2> frame_;
   std::vector<BodyFrame> watched_;
   std::vector<std::string> joint_names_;
+  ComputedTerms computed_terms_;
   Actuation actuation_;
   bool tendon_forces_ = false;
   VecX torque_limit_, stand_;

@@ -117,8 +117,10 @@ struct StepsSettings {
     v(g.clearance, "clearance", "foot_clearance", "m", must_be::kNotNegative, {0.03, of::kComHeight},
       "Least gap that a step leaves between the edges of the two soles, sideways.");
     v(g.shift, "shift", "foothold_reach", "m", must_be::kNotNegative, {0.25, of::kComHeight},
-      "How far a tied foothold may be moved from its nominal place to keep the robot balanced. A robot that has been "
-      "pushed uses all its reach.");
+      "How far a tied foothold moves from its nominal place to keep the robot balanced, whatever the foot in the air "
+      "does. A longer way, and any way of a robot that has been pushed, is bounded by the reach of the leg and by "
+      "where "
+      "the foot in the air can still get to.");
     v(g.filter_time, "filter_time", "foothold_time", "s", must_be::kPositive, {0.18, of::kTimeConstant},
       "Time constant of the low-pass through which a tied foothold moves while the foot is in the air.");
     v(g.give, "give", "foothold_give", "", must_be::kNotNegative, {},
@@ -129,7 +131,8 @@ struct StepsSettings {
       "Share of the single support after which a tied foothold stays where it is, so that the foot lands calmly.");
     v(g.capture_distance, "capture_distance", "capture_reach", "m", must_be::kNotNegative, {0.07, of::kComHeight},
       "How far the DCM (COM + T_c times its velocity) may be from its planned place when the next foot takes over, "
-      "with tied footsteps. Beyond that the tracked speed yields, so that the next step still catches the robot.");
+      "with tied footsteps. Beyond that, or where the ZMP over that foot could not hold it, the tracked speed yields, "
+      "so that the next step still catches the robot.");
     v(g.capture_speed, "capture_speed", "capture_speed", "m/s", must_be::kNotNegative, {0.2, of::kFroudeSpeed},
       "Most that the tracked speed yields, either way, to keep the DCM within capture_distance of its plan.");
     v(g.timing, "timing", "step_timing", "", must_be::kAnything, {},

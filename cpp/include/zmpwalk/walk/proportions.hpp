@@ -14,8 +14,9 @@ double height_over_soles(const Dynamics& dynamics);
 /// Lengths, times and data of the knee at the start pose of `robot`. The defaults of the settings scale with them.
 RobotScale scale_of(const Robot& robot);
 
-/// The one size that the gait takes both soles to have: the longer length and the narrower width of the two.
-SoleSize common_sole(const RobotDescription& description);
+/// The one size that the gait takes both soles to have: the longer length and the narrower width of the two, and the larger ones of the feet
+/// (`Robot::foot_reach`), which may stick out over their soles.
+SoleSize common_sole(const Robot& robot);
 
 /// Where the ZMP may be in the sole of `side`: what the share `sole_fraction` of it and the ankle's torque allow, see `zmp_bounds`.
 /// @throws InputError where nothing is left
