@@ -17,21 +17,46 @@ using ConstVec3Map = Eigen::Map<const Vec3>;
 using ConstVec6Map = Eigen::Map<const Vec6>;
 using ConstRowMat3Map = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
 
-bool differ(double a, double b) { return std::abs(a - b) > kRounding * (1.0 + std::abs(b)); }
+using ConstVecMap = Eigen::Map<const VecX>;
+
+/// Largest distance of two rotations' matrices from each other, entry by entry; `q` (w, x, y, z) needs no length of one.
+double distance(const double* q, const ConstRowMat3Map& R) {
+  const double w = q[0], x = q[1], y = q[2], z = q[3], s = 2.0 / (w * w + x * x + y * y + z * z);
+  Mat3 of_q;
+  of_q << 1.0 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y),  //
+      s * (x * y + w * z), 1.0 - s * (x * x + z * z), s * (y * z - w * x),      //
+      s * (x * z - w * y), s * (y * z + w * x), 1.0 - s * (x * x + y * y);
+  return (of_q - R).cwiseAbs().maxCoeff();
+}
 
 }  // namespace
 
 ComputedTerms::ComputedTerms(const Model& m, int root_body)
     : m_(m), root_body_(root_body), qpos0_(m.jnt_qposadr[m.body_jntadr[root_body]]), dof0_(m.body_dofadr[root_body]) {
   std::vector<bool> has_motor(m.njnt, false);
+  std::vector<std::vector<double>> gears;
   for (int a = 0; a < m.nu; ++a) {
     if (m.actuator_trntype[a] != mj::kByJoint) continue;
     const int joint = m.actuator_trnid[2 * a], kind = m.jnt_type[joint];
     const double gear = m.actuator_gear[6 * a];
-    if (m.body_rootid[m.jnt_bodyid[joint]] != root_body || (kind != mj::kHinge && kind != mj::kSlide) || gear == 0.0)
+    if (m.body_rootid[m.jnt_bodyid[joint]] != root_body || (kind != mj::kHinge && kind != mj::kSlide) || gear == 0.0 ||
+        has_motor[joint])
       continue;
-    if (!has_motor[joint]) motored_.push_back({a, m.jnt_qposadr[joint], m.jnt_dofadr[joint], gear});
     has_motor[joint] = true;
+    const int qpos = m.jnt_qposadr[joint], dof = m.jnt_dofadr[joint];
+    const auto follows = [&](const Motors& last) {
+      return last.actuator + last.count == a && last.qpos + last.count == qpos && last.dof + last.count == dof;
+    };
+    if (motors_.empty() || !follows(motors_.back())) {
+      motors_.push_back({a, qpos, dof, 0, {}, 0.0});
+      gears.emplace_back();
+    }
+    ++motors_.back().count;
+    gears.back().push_back(gear);
+  }
+  for (std::size_t i = 0; i < motors_.size(); ++i) {
+    motors_[i].gear = ConstVecMap(gears[i].data(), motors_[i].count);
+    motors_[i].tolerance = kRounding * std::max(motors_[i].gear.cwiseAbs().maxCoeff(), 1.0);
   }
   for (int joint = 0; joint < m.njnt; ++joint) {
     const int body = m.jnt_bodyid[joint];
@@ -44,9 +69,7 @@ ComputedTerms::ComputedTerms(const Model& m, int root_body)
 bool ComputedTerms::base_moved(const Data& d) const {
   const double *p = d.qpos + qpos0_, *at = d.xpos + 3 * root_body_;
   if (p[0] != at[0] || p[1] != at[1] || p[2] != at[2]) return true;
-  const Eigen::Quaterniond q(p[3], p[4], p[5], p[6]);
-  const ConstRowMat3Map R_WB(d.xmat + 9 * root_body_);
-  return (q.normalized().toRotationMatrix() - R_WB).cwiseAbs().maxCoeff() > kRounding;
+  return distance(p + 3, ConstRowMat3Map(d.xmat + 9 * root_body_)) > kRounding;
 }
 
 bool ComputedTerms::base_sped(const Data& d) const {
@@ -69,9 +92,15 @@ bool ComputedTerms::is_of_qvel(const Data& d, int body) const {
 
 void ComputedTerms::require(const Data& d) const {
   bool moved = base_moved(d), sped = base_sped(d);
-  for (const Motored& each : motored_) {
-    moved |= differ(d.actuator_length[each.actuator], each.gear * d.qpos[each.qpos]);
-    sped |= differ(d.actuator_velocity[each.actuator], each.gear * d.qvel[each.dof]);
+  for (const Motors& each : motors_) {
+    const auto off = [&](const double* of_motors, const double* of_joints) {
+      return (ConstVecMap(of_motors + each.actuator, each.count) -
+              each.gear.cwiseProduct(ConstVecMap(of_joints, each.count)))
+                 .cwiseAbs()
+                 .maxCoeff() > each.tolerance;
+    };
+    moved |= off(d.actuator_length, d.qpos + each.qpos);
+    sped |= off(d.actuator_velocity, d.qvel + each.dof);
   }
   for (const int body : unmotored_) sped |= !is_of_qvel(d, body);
   if (moved || sped)

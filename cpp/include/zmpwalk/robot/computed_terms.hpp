@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "zmpwalk/math/types.hpp"
 #include "zmpwalk/robot/mujoco.hpp"
 
 namespace zmpwalk {
@@ -18,9 +19,11 @@ class ComputedTerms {
   void require(const Data& d) const;
 
  private:
-  struct Motored {
-    int actuator, qpos, dof;
-    double gear;
+  /// Motors that follow each other in the data as the joints do that they move.
+  struct Motors {
+    int actuator, qpos, dof, count;
+    VecX gear;         // (count,)
+    double tolerance;  // of a length or a speed
   };
   bool base_moved(const Data& d) const;
   bool base_sped(const Data& d) const;
@@ -28,7 +31,7 @@ class ComputedTerms {
 
   Model m_;
   int root_body_, qpos0_, dof0_;
-  std::vector<Motored> motored_;
+  std::vector<Motors> motors_;
   std::vector<int> unmotored_;  // bodies with a joint that no motor moves
 };
 
