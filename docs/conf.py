@@ -1,15 +1,23 @@
-"""How Sphinx makes the site of these pages: `make docs`. Warnings are errors, and the build needs no network."""
+"""How Sphinx makes the site of these pages: `make docs`. Warnings are errors, and the build needs no network.
+
+The notebooks are pages of `course/`, a copy that is made here. They are executed unless `-D nb_execution_mode=off` says not to.
+"""
 
 from __future__ import annotations
 
 import re
+import shutil
+from pathlib import Path
 from typing import Any
 
 import zmpwalk
 
 project, author, version = "zmpwalk", "the zmpwalk authors", zmpwalk.__version__
-extensions = ["myst_parser", "sphinx.ext.autodoc"]
-source_suffix = {".md": "markdown"}
+extensions = ["myst_nb", "sphinx.ext.autodoc"]
+source_suffix = {".md": "myst-nb", ".ipynb": "myst-nb"}
+myst_enable_extensions = ["dollarmath", "amsmath"]
+nb_execution_timeout = 300
+nb_execution_raise_on_error = True
 master_doc = "index"
 html_theme = "alabaster"
 html_theme_options = {
@@ -26,6 +34,21 @@ suppress_warnings = [
 autodoc_member_order = "bysource"
 autodoc_typehints = "none"
 autodoc_docstring_signature = True
+
+
+HERE = Path(__file__).parent
+
+
+def copy_course(into: Path) -> None:
+    """Lays the notebooks among the pages, where links to pages are shorter."""
+    shutil.rmtree(into, ignore_errors=True)
+    into.mkdir()
+    for notebook in sorted((HERE.parent / "notebooks").glob("*.ipynb")):
+        text = notebook.read_text(encoding="utf-8")
+        (into / notebook.name).write_text(text.replace("(../docs/", "(../"), encoding="utf-8")
+
+
+copy_course(HERE / "course")
 
 
 def shape_docstring(app: Any, what: str, name: str, of: Any, options: Any, lines: list[str]) -> None:
