@@ -1,6 +1,6 @@
 """How Sphinx makes the site of these pages: `make docs`. Warnings are errors, and the build needs no network.
 
-The notebooks are pages of `course/`, a copy that is made here. They are executed unless `-D nb_execution_mode=off` says not to.
+The notebooks are pages of `course/`, a copy that is made here. They are executed, but for `-D nb_execution_mode=off`.
 """
 
 from __future__ import annotations

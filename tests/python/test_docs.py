@@ -96,6 +96,7 @@ def reader(tmp_path, monkeypatch):
     return {"zmpwalk": zmpwalk, "model": model, "data": data, "controller": controller}
 
 
+@pytest.mark.once
 @pytest.mark.parametrize("page", [page for page in PAGES if python_code(page)], ids=name_of)
 def test_python_code_of_a_page_runs_from_top_to_bottom(page, reader):
     if page.name in NEEDS:
@@ -109,6 +110,7 @@ def test_python_code_of_a_page_runs_from_top_to_bottom(page, reader):
         exec(compile(code, name_of(page), "exec"), reader)
 
 
+@pytest.mark.once
 @pytest.mark.parametrize("page", [page for page in PAGES if commands(page)], ids=name_of)
 def test_commands_of_a_page_run_one_after_the_other(page, reader, capsys):
     for command in commands(page):
@@ -198,6 +200,7 @@ def test_a_number_of_the_readme_is_that_of_the_page_that_a_benchmark_writes(said
     assert float(claim.group(1)) in [round(value, digits) for value in values]
 
 
+@pytest.mark.once
 def test_the_readme_prints_what_its_command_measures():
     spec = importlib.util.spec_from_file_location("make_numbers", DOCS / "make_numbers.py")
     make_numbers = importlib.util.module_from_spec(spec)

@@ -58,6 +58,7 @@ def test_links_of_a_notebook_lead_to_files_that_are_there(notebook):
             assert (FOLDER / target).is_file(), target
 
 
+@pytest.mark.once
 def test_notebook_runs(notebook, tmp_path):
     client = nbclient.NotebookClient(
         notebook, timeout=300, kernel_name="python3", resources={"metadata": {"path": str(tmp_path)}}

@@ -29,6 +29,7 @@ def test_every_page_is_reached_from_the_first():
     assert listed == pages - {"index"} | course
 
 
+@pytest.mark.once
 def test_the_site_builds_without_a_warning(tmp_path):
     pytest.importorskip("sphinx")
     pytest.importorskip("myst_nb")
