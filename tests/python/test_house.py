@@ -13,7 +13,7 @@ PACKAGE = Path(zmpwalk.__file__).parent
 # From the ground up: a module imports modules of floors below its own, or of its own where that makes no circle.
 FLOORS = [
     ["errors", "_build", "_columns", "_core"],
-    ["files", "analysis", "settings"],
+    ["files", "functions", "analysis", "settings"],
     ["_adapters", "profiles", "motion", "given", "robots", "disturbances"],
     ["_check_mujoco", "tasks", "verdict"],
     ["trace"],
