@@ -1,20 +1,23 @@
 """Draws the pictures of README, how-tos and the mixed walk of `walk_anywhere.md`: `python docs/make_images.py`.
 
-`--only NAME` draws one: estimate, walk, sagittal, mixed or howto.
+`--only NAME` draws one: estimate, walk, sagittal, mixed, howto or viewer, which needs a display (`xvfb-run`).
 """
 
 import argparse
+import itertools
 import os
 import re
 import shutil
 import sys
 import tempfile
 from pathlib import Path
+from typing import Any
 
 import matplotlib
+import matplotlib.image
 import zmpwalk
 from matplotlib.figure import Figure
-from zmpwalk import analysis, plot, render
+from zmpwalk import analysis, plot, render, view
 
 sys.path.append(str(Path(__file__).parents[1] / "benchmarks"))
 import walk_anywhere
@@ -84,13 +87,37 @@ def howtos() -> None:
             os.chdir(IMAGES)
 
 
+def viewer() -> None:
+    """The window a moment after a push, while the robot walks."""
+
+    frames = itertools.count()
+
+    def draw(window: Any, walk: Any) -> None:
+        k = next(frames)
+        if k == 0:
+            for key, shift, seconds in [*[("W", False, 0.0)] * 5, ("5", False, 4.1), ("LEFT", True, 0.07)]:
+                walk.press(key, shift)
+                walk.advance(seconds)
+            walk.paused = True  # while the camera comes after
+        elif k == 40:
+            walk.paused = False
+            matplotlib.image.imsave(IMAGES / "viewer.png", window.picture())
+            walk.closed = True
+
+    view.view("mahru", width=1000, height=640, on_frame=draw)
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--only", choices=("estimate", "walk", "sagittal", "mixed", "howto"), help="one picture")
+    parser.add_argument(
+        "--only", choices=("estimate", "walk", "sagittal", "mixed", "howto", "viewer"), help="one picture"
+    )
     only = parser.parse_args().only
     if only in (None, "howto"):
         howtos()
-    if only == "howto":
+    if only == "viewer":
+        viewer()
+    if only in ("howto", "viewer"):
         return
     trace = zmpwalk.simulate("mahru", duration=8.0)
     for draw in (estimate, walk, sagittal):

@@ -19,6 +19,7 @@ FLOORS = [
     ["trace"],
     ["simulation"],
     ["waypoints", "bench", "render", "capture", "trials", "sweeps"],
+    ["live"],
     ["view", "figures", "gym", "pushes"],
     ["plot", "troubles"],
     ["shown"],
