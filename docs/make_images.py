@@ -1,6 +1,7 @@
 """Draws the pictures of README, how-tos and the mixed walk of `walk_anywhere.md`: `python docs/make_images.py`.
 
-`--only NAME` draws one: estimate, walk, sagittal, mixed, howto or viewer, which needs a display (`xvfb-run`).
+`--only NAME` draws one: estimate, walk, sagittal, mixed, howto, moving (the picture that moves) or viewer, which needs
+a display (`xvfb-run`) and is drawn only so.
 """
 
 import argparse
@@ -15,14 +16,17 @@ from typing import Any
 
 import matplotlib
 import matplotlib.image
+import numpy as np
 import zmpwalk
 from matplotlib.figure import Figure
+from PIL import Image, ImageDraw, ImageFont
 from zmpwalk import analysis, plot, render, view
 
 sys.path.append(str(Path(__file__).parents[1] / "benchmarks"))
 import walk_anywhere
 
 IMAGES = Path(__file__).parent / "images"
+MOVING, FPS = (480, 360), 20  # of the picture that moves [pixels, 1/s]
 TIMES = {0.4: "stands on the left foot", 2.0: "first steps", 4.9: "both feet down", 5.3: "swings a leg"}
 # What the script of the mixed walk does from one instant to the next [s].
 LEGS = {
@@ -74,6 +78,26 @@ def mixed(trace: zmpwalk.Trace) -> Figure:
     return figure
 
 
+def moving() -> None:
+    """A walk that starts, is pushed to the left and catches itself, as a picture that moves."""
+    push = zmpwalk.Push.impulse(4.3, (0.0, 30.0, 0.0))
+    trace = zmpwalk.simulate("mahru", zmpwalk.VelocityProfile.ramp(0.0, 0.35, 1.5), 8.4, push=push)
+    half = round(0.8 / trace.control_dt)  # the camera's path is the mean over a stride
+    padded = np.pad(trace.com[:, :2], ((half, half), (0, 0)), mode="edge")
+    path = np.column_stack([np.convolve(way, np.full(2 * half + 1, 1 / (2 * half + 1)), "valid") for way in padded.T])
+    font, speed, pictures = ImageFont.load_default(size=15), trace.forward_velocity(), []
+    for t in np.arange(1.0, trace.t[-1], 1 / FPS):
+        k = np.searchsorted(trace.t, t)
+        camera = {"lookat": (*path[k], 0.75), "azimuth": 145.0, "elevation": -14.0, "distance": 2.6}
+        picture = Image.fromarray(render.snapshot(trace, t=t, width=MOVING[0], height=MOVING[1], camera=camera))
+        pushed = push.t <= t < push.t + 0.6
+        words = "pushed by 30 N s" if pushed else f"{speed[k]:.2f} m/s"
+        ImageDraw.Draw(picture).text((10, 8), words, fill=(20, 20, 20), font=font)
+        pictures.append(picture)
+    options = {"duration": round(1000 / FPS), "loop": 0, "quality": 60, "method": 6}
+    pictures[0].save(IMAGES / "walking.webp", save_all=True, append_images=pictures[1:], **options)
+
+
 def howtos() -> None:
     """The pictures that the code of the how-tos writes: NAME.png becomes images/howto_NAME.png."""
     for page in sorted((IMAGES.parent / "howto").glob("*.md")):
@@ -110,14 +134,16 @@ def viewer() -> None:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument(
-        "--only", choices=("estimate", "walk", "sagittal", "mixed", "howto", "viewer"), help="one picture"
+        "--only", choices=("estimate", "walk", "sagittal", "mixed", "howto", "viewer", "moving"), help="one picture"
     )
     only = parser.parse_args().only
     if only in (None, "howto"):
         howtos()
+    if only in (None, "moving"):
+        moving()
     if only == "viewer":
         viewer()
-    if only in ("howto", "viewer"):
+    if only in ("howto", "viewer", "moving"):
         return
     trace = zmpwalk.simulate("mahru", duration=8.0)
     for draw in (estimate, walk, sagittal):

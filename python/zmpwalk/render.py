@@ -287,6 +287,8 @@ def snapshot(
         camera: see `OffScreen.draw`.
         show_zmp: mark on the ground the estimated ZMP (red) and the point under the COM (black).
 
+    An arrow shows a push while it acts, and for a quarter of a second at least.
+
     Returns:
         (height, width, 3) uint8, first row on top.
 
@@ -298,7 +300,9 @@ def snapshot(
     """
     model, k = trace.model, _row(trace, t)
     with OffScreen(model, width, height) as screen:
-        return screen.draw(_pose(model, trace, k), camera, _marks(trace, k) if show_zmp else ())
+        data = _pose(model, trace, k)
+        marks = _marks(trace, k) if show_zmp else ()
+        return screen.draw(data, camera, marks, None, _arrows(model, data, trace, float(trace.t[k])))
 
 
 def video(

@@ -155,6 +155,15 @@ def test_links_lead_to_files_and_headings_that_are_there(page):
             assert heading in [re.sub(r"[^\w\- ]", "", a).strip().lower().replace(" ", "-") for a in anchors], target
 
 
+def test_the_readme_begins_with_a_small_picture_that_moves():
+    Image = pytest.importorskip("PIL.Image")
+    first = (ROOT / "README.md").read_text(encoding="utf-8").partition("\n## ")[0]
+    (name,) = re.findall(r"\]\((docs/images/\w+\.webp)\)", first)
+    assert (ROOT / name).stat().st_size < 2e6
+    with Image.open(ROOT / name) as picture:
+        assert picture.n_frames > 100
+
+
 @pytest.mark.parametrize("page", HOWTOS, ids=name_of)
 def test_a_howto_is_short(page):
     lines = [line for line in python_code(page).splitlines() if line.strip()]
