@@ -11,6 +11,8 @@ from pathlib import Path
 from typing import Any
 
 import zmpwalk
+from docutils import nodes
+from latex2mathml.converter import convert
 
 project, author, version = "zmpwalk", "the zmpwalk authors", zmpwalk.__version__
 extensions = ["myst_nb", "sphinx.ext.autodoc"]
@@ -26,6 +28,8 @@ html_theme_options = {
     "description": "Humanoids walk in MuJoCo, with a ZMP known beforehand",
 }
 html_title = "zmpwalk"
+html_static_path, html_css_files = ["_static"], ["math.css"]
+html_math_renderer = "mathml"  # browsers draw it themselves, without a script from the network
 exclude_patterns = ["images"]
 myst_heading_anchors = 3
 suppress_warnings = [
@@ -71,7 +75,15 @@ def skip_foreign(app: Any, what: str, name: str, of: Any, skip: bool, options: A
     return True if not (getattr(of, "__module__", None) or "zmpwalk").startswith("zmpwalk") else None
 
 
+def draw_math(writer: Any, node: Any) -> None:
+    """An equation as MathML."""
+    text = node.astext().replace(r"\begin{aligned}", r"\begin{array}{rll}").replace(r"\end{aligned}", r"\end{array}")
+    writer.body.append(convert(text, display="block" if isinstance(node, nodes.math_block) else "inline"))
+    raise nodes.SkipNode
+
+
 def setup(app: Any) -> None:
     """Called by Sphinx."""
+    app.add_html_math_renderer("mathml", (draw_math, None), (draw_math, None))
     app.connect("autodoc-skip-member", skip_foreign)
     app.connect("autodoc-process-docstring", shape_docstring)
