@@ -1,5 +1,6 @@
 """The live window: keys into commands without a window, the walk behind it, and the window itself where Xvfb is."""
 
+import ctypes.util
 import os
 import re
 import shutil
@@ -382,3 +383,95 @@ def test_window_shows_the_robot_and_takes_keys_and_mouse(display, tmp_path):
     assert float(command.split()[0]) > 0.1  # two presses of W, and F1 is nothing
     changed, contrast = map(float, picture.split())
     assert changed > 0.02 and contrast > 10
+
+
+REAL = """
+import ctypes, sys
+import glfw
+from zmpwalk.view import view
+
+x11, xtest = ctypes.CDLL("libX11.so.6"), ctypes.CDLL("libXtst.so.6")
+x11.XOpenDisplay.restype = ctypes.c_void_p
+screen = ctypes.c_void_p(x11.XOpenDisplay(None))
+x11.XStringToKeysym.restype = ctypes.c_ulong
+glfw.get_x11_window.restype = ctypes.c_ulong
+
+
+def key(name, down):
+    code = x11.XKeysymToKeycode(screen, ctypes.c_ulong(x11.XStringToKeysym(name.encode())))
+    xtest.XTestFakeKeyEvent(screen, code, down, ctypes.c_ulong(0))
+
+
+def tap(name, held=None):
+    for each, down in [(held, 1)] * bool(held) + [(name, 1), (name, 0)] + [(held, 0)] * bool(held):
+        key(each, down)
+
+
+def button(down):
+    xtest.XTestFakeButtonEvent(screen, 1, down, ctypes.c_ulong(0))
+
+
+def point(window, right):
+    x, y = glfw.get_window_pos(window._window)
+    width, _ = glfw.get_window_size(window._window)
+    down = round(window._picture().height / 2)
+    xtest.XTestFakeMotionEvent(screen, -1, x + width // 2 + right, y + down, ctypes.c_ulong(0))
+
+
+def seen(window):
+    return glfw.get_cursor_pos(window._window)[0] - glfw.get_window_size(window._window)[0] // 2
+
+
+# What a person does, and what has come of it.
+PLAN = [
+    (lambda w: x11.XSetInputFocus(screen, ctypes.c_ulong(glfw.get_x11_window(w._window)), 1, ctypes.c_ulong(0)),
+     lambda w, walk: glfw.get_window_attrib(w._window, glfw.FOCUSED)),
+    (lambda w: tap("w"), lambda w, walk: walk.steering.command[0] > 0),
+    (lambda w: tap("t"), lambda w, walk: "recording" in walk.words["mahru"]),
+    (lambda w: tap("Up", "Shift_L"), lambda w, walk: len(walk.arrows) == 1 and walk.arrows[0]["along"][0] > 0),
+    (lambda w: tap("p"), lambda w, walk: walk.paused),
+    (lambda w: tap("minus"), lambda w, walk: walk.pace == 0.5),
+    (lambda w: tap("p"), lambda w, walk: not walk.paused),
+    (lambda w: point(w, 0), lambda w, walk: abs(seen(w)) < 2),
+    (lambda w: (key("Control_L", 1), button(1)), lambda w, walk: walk._pull is not None),
+    (lambda w: point(w, 40), lambda w, walk: walk._pulling()[1] < -10),  # to the right
+    (lambda w: (button(0), key("Control_L", 0)), lambda w, walk: walk._pull is None),
+    (lambda w: point(w, 90), lambda w, walk: abs(seen(w) - 90) < 2),
+    (lambda w: tap("t"), lambda w, walk: len(walk.recorded) == 1),
+    (lambda w: tap("Escape"), lambda w, walk: walk.closed),
+]
+step, waited = 0, 0
+
+
+def frame(window, walk):
+    global step, waited
+    if step == len(PLAN):
+        return
+    act, done = PLAN[step]
+    if waited == 0:
+        act(window)
+        x11.XFlush(screen)
+    waited += 1
+    if waited > 1 and done(window, walk):
+        step, waited = step + 1, 0
+    elif waited > 300:
+        sys.exit(f"nothing came of action {step}")
+
+
+view("mahru", width=320, height=240, shadows=False, on_frame=frame)
+assert step >= len(PLAN) - 1
+"""
+
+
+def test_real_keys_and_a_real_mouse_reach_the_walk(display, tmp_path):
+    if not ctypes.util.find_library("Xtst"):
+        pytest.skip("no libXtst, which makes events of keys and mouse")
+    env = {name: value for name, value in os.environ.items() if name not in ("MUJOCO_GL", "WAYLAND_DISPLAY")}
+    done = subprocess.run(
+        [sys.executable, "-c", REAL], env={**env, "DISPLAY": display}, capture_output=True, text=True, timeout=240,
+        cwd=tmp_path,
+    )  # fmt: skip
+    if "cannot draw in a window" in done.stderr or "GLX" in done.stderr:
+        pytest.skip(done.stderr.splitlines()[-1])
+    assert done.returncode == 0, done.stderr
+    assert zmpwalk.Trace.load(tmp_path / "walk.npz").meta["push"][0][3][0] > 0
