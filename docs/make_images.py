@@ -1,25 +1,32 @@
 """Draws the pictures of README, how-tos and the mixed walk of `walk_anywhere.md`: `python docs/make_images.py`.
 
-`--only NAME` draws one: estimate, walk, sagittal, mixed or howto.
+`--only NAME` draws one: estimate, walk, sagittal, mixed, howto, moving (the picture that moves) or viewer, which needs
+a display (`xvfb-run`) and is drawn only so.
 """
 
 import argparse
+import itertools
 import os
 import re
 import shutil
 import sys
 import tempfile
 from pathlib import Path
+from typing import Any
 
 import matplotlib
+import matplotlib.image
+import numpy as np
 import zmpwalk
 from matplotlib.figure import Figure
-from zmpwalk import analysis, plot, render
+from PIL import Image, ImageDraw, ImageFont
+from zmpwalk import analysis, plot, render, view
 
 sys.path.append(str(Path(__file__).parents[1] / "benchmarks"))
 import walk_anywhere
 
 IMAGES = Path(__file__).parent / "images"
+MOVING, FPS = (480, 360), 20  # of the picture that moves [pixels, 1/s]
 TIMES = {0.4: "stands on the left foot", 2.0: "first steps", 4.9: "both feet down", 5.3: "swings a leg"}
 # What the script of the mixed walk does from one instant to the next [s].
 LEGS = {
@@ -71,6 +78,26 @@ def mixed(trace: zmpwalk.Trace) -> Figure:
     return figure
 
 
+def moving() -> None:
+    """A walk that starts, is pushed to the left and catches itself, as a picture that moves."""
+    push = zmpwalk.Push.impulse(4.3, (0.0, 30.0, 0.0))
+    trace = zmpwalk.simulate("mahru", zmpwalk.VelocityProfile.ramp(0.0, 0.35, 1.5), 8.4, push=push)
+    half = round(0.8 / trace.control_dt)  # the camera's path is the mean over a stride
+    padded = np.pad(trace.com[:, :2], ((half, half), (0, 0)), mode="edge")
+    path = np.column_stack([np.convolve(way, np.full(2 * half + 1, 1 / (2 * half + 1)), "valid") for way in padded.T])
+    font, speed, pictures = ImageFont.load_default(size=15), trace.forward_velocity(), []
+    for t in np.arange(1.0, trace.t[-1], 1 / FPS):
+        k = np.searchsorted(trace.t, t)
+        camera = {"lookat": (*path[k], 0.75), "azimuth": 145.0, "elevation": -14.0, "distance": 2.6}
+        picture = Image.fromarray(render.snapshot(trace, t=t, width=MOVING[0], height=MOVING[1], camera=camera))
+        pushed = push.t <= t < push.t + 0.6
+        words = "pushed by 30 N s" if pushed else f"{speed[k]:.2f} m/s"
+        ImageDraw.Draw(picture).text((10, 8), words, fill=(20, 20, 20), font=font)
+        pictures.append(picture)
+    options = {"duration": round(1000 / FPS), "loop": 0, "quality": 60, "method": 6}
+    pictures[0].save(IMAGES / "walking.webp", save_all=True, append_images=pictures[1:], **options)
+
+
 def howtos() -> None:
     """The pictures that the code of the how-tos writes: NAME.png becomes images/howto_NAME.png."""
     for page in sorted((IMAGES.parent / "howto").glob("*.md")):
@@ -84,13 +111,39 @@ def howtos() -> None:
             os.chdir(IMAGES)
 
 
+def viewer() -> None:
+    """The window a moment after a push, while the robot walks."""
+
+    frames = itertools.count()
+
+    def draw(window: Any, walk: Any) -> None:
+        k = next(frames)
+        if k == 0:
+            for key, shift, seconds in [*[("W", False, 0.0)] * 5, ("5", False, 4.1), ("LEFT", True, 0.07)]:
+                walk.press(key, shift)
+                walk.advance(seconds)
+            walk.paused = True  # while the camera comes after
+        elif k == 40:
+            walk.paused = False
+            matplotlib.image.imsave(IMAGES / "viewer.png", window.picture())
+            walk.closed = True
+
+    view.view("mahru", width=1000, height=640, on_frame=draw)
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--only", choices=("estimate", "walk", "sagittal", "mixed", "howto"), help="one picture")
+    parser.add_argument(
+        "--only", choices=("estimate", "walk", "sagittal", "mixed", "howto", "viewer", "moving"), help="one picture"
+    )
     only = parser.parse_args().only
     if only in (None, "howto"):
         howtos()
-    if only == "howto":
+    if only in (None, "moving"):
+        moving()
+    if only == "viewer":
+        viewer()
+    if only in ("howto", "viewer", "moving"):
         return
     trace = zmpwalk.simulate("mahru", duration=8.0)
     for draw in (estimate, walk, sagittal):

@@ -18,6 +18,7 @@ from .figures import FILES
 from .figures.compare import COMPARED, compare
 from .figures.estimate import estimate
 from .figures.footprints import footprints
+from .figures.interactive import interactive
 from .figures.iteration import iteration
 from .figures.position import lateral, sagittal
 from .figures.pushes import pushes
@@ -49,6 +50,7 @@ __all__ = [
     "estimate",
     "figure_function",
     "footprints",
+    "interactive",
     "iteration",
     "lateral",
     "pushes",

@@ -36,6 +36,8 @@ AZIMUTH, ELEVATION, FILLED = (
 PUSH_COLOUR, PUSH_SHOWN, ARROW = (0.8, 0.1, 0.5, 1.0), 0.25, 0.9  # at least [s]; length for a force of one weight [z_c]
 STRIDE = 6.0  # of time constants sqrt(z_c / g): about two steps
 GRAVITY = 9.81  # only for that [m/s^2]
+THIN = 0.006  # half the width of a line on the ground [m]
+PANEL = (0.3, 0.3, 0.32)  # ground of the status lines
 
 Camera = Union[None, str, Mapping[str, Any], "mujoco.MjvCamera"]
 
@@ -64,13 +66,21 @@ class Scene:
         marks: Sequence[Mapping[str, Any]] = (),
         words: Mapping[str, Any] | None = None,
         arrows: Sequence[Mapping[str, Any]] = (),
+        outlines: Sequence[Mapping[str, Any]] = (),
     ) -> None:
-        """Draw into the current buffer; `marks`, `words` and `arrows` as in `OffScreen.draw`."""
+        """Draw into the current buffer; `marks`, `words` and `arrows` as in `OffScreen.draw`.
+
+        Args:
+            outlines: polygons on the ground, each {"corners": (n, 2) [m], "height": of the ground [m], "rgba": (4)}.
+        """
         mujoco.mjv_updateScene(
             self._model, data, self._option, None, view, mujoco.mjtCatBit.mjCAT_ALL.value, self._scene
         )
         for mark in marks:
-            self._cross(np.asarray(mark["pos"], float), float(mark["arm"]), np.asarray(mark["rgba"], np.float32))
+            thick = 0.012 * float(mark["arm"]) * float(mark.get("thick", 1.0))
+            self._cross(np.asarray(mark["pos"], float), float(mark["arm"]), thick, np.asarray(mark["rgba"], np.float32))
+        for outline in outlines:
+            self._outline(np.asarray(outline["corners"], float), float(outline["height"]), outline["rgba"])
         for arrow in arrows:
             self._arrow(np.asarray(arrow["to"], float), np.asarray(arrow["along"], float))
         mujoco.mjr_render(viewport, self._scene, self._context)
@@ -79,15 +89,52 @@ class Scene:
             columns = ("\n".join(map(str, column)) for column in (words.keys(), words.values()))
             mujoco.mjr_overlay(font, place, viewport, *columns, self._context)
 
-    def _cross(self, centre: np.ndarray, arm: float, rgba: np.ndarray) -> None:
+    def _cross(self, centre: np.ndarray, arm: float, thick: float, rgba: np.ndarray) -> None:
         """Two thin bars on the ground, longer than a foot, so that a sole on their crossing does not hide them."""
         for along in (0, 1):
             if self._scene.ngeom < self._scene.maxgeom:
-                size = np.full(3, 0.012 * arm)
+                size = np.full(3, thick)
                 size[along] = arm
                 box, upright = mujoco.mjtGeom.mjGEOM_BOX, np.eye(3).ravel()
                 mujoco.mjv_initGeom(self._scene.geoms[self._scene.ngeom], box, size, centre, upright, rgba)
                 self._scene.ngeom += 1
+
+    def _outline(self, corners: np.ndarray, height: float, rgba: Sequence[float]) -> None:
+        """Thin bars from corner to corner."""
+        for here, there in zip(corners, np.roll(corners, -1, axis=0)):
+            side = there - here
+            length = float(np.linalg.norm(side))
+            if length > 0.0 and self._scene.ngeom < self._scene.maxgeom:
+                c, s = side / length
+                turned = np.array([c, -s, 0.0, s, c, 0.0, 0.0, 0.0, 1.0])
+                size, centre = np.array([length / 2, THIN, THIN]), np.array([*(here + there) / 2, height])
+                geom, colour = self._scene.geoms[self._scene.ngeom], np.asarray(rgba, np.float32)
+                mujoco.mjv_initGeom(geom, mujoco.mjtGeom.mjGEOM_BOX, size, centre, turned, colour)
+                self._scene.ngeom += 1
+
+    def panel(
+        self,
+        place: mujoco.MjrRect,
+        words: Mapping[str, Any],
+        legend: Sequence[tuple[Sequence[float], str]] = (),
+        chip: tuple[int, int] = (86, 22),
+    ) -> None:
+        """Status lines and a legend on a ground of their own, into the current buffer.
+
+        Args:
+            place: which part of the buffer [pixels].
+            words: what -> its value, a line each; ASCII.
+            legend: (colour (4), name), side by side in the upper right corner.
+            chip: width and height of an entry of the legend [pixels].
+        """
+        mujoco.mjr_rectangle(place, *PANEL, 1.0)
+        font, corner = mujoco.mjtFont.mjFONT_NORMAL, mujoco.mjtGridPos.mjGRID_TOPLEFT
+        columns = ("\n".join(map(str, column)) for column in (words.keys(), words.values()))
+        mujoco.mjr_overlay(font, corner, place, *columns, self._context)
+        left = place.left + place.width - len(legend) * (chip[0] + 4)
+        for k, (rgba, name) in enumerate(legend):
+            entry = mujoco.MjrRect(left + k * (chip[0] + 4), place.bottom + place.height - chip[1] - 5, *chip)
+            mujoco.mjr_label(entry, font, name, *rgba, 1.0, 1.0, 1.0, self._context)
 
     def _arrow(self, end: np.ndarray, along: np.ndarray) -> None:
         """An arrow as long as `along`, whose point is at `end`."""
@@ -240,6 +287,8 @@ def snapshot(
         camera: see `OffScreen.draw`.
         show_zmp: mark on the ground the estimated ZMP (red) and the point under the COM (black).
 
+    An arrow shows a push while it acts, and for a quarter of a second at least.
+
     Returns:
         (height, width, 3) uint8, first row on top.
 
@@ -251,7 +300,9 @@ def snapshot(
     """
     model, k = trace.model, _row(trace, t)
     with OffScreen(model, width, height) as screen:
-        return screen.draw(_pose(model, trace, k), camera, _marks(trace, k) if show_zmp else ())
+        data = _pose(model, trace, k)
+        marks = _marks(trace, k) if show_zmp else ()
+        return screen.draw(data, camera, marks, None, _arrows(model, data, trace, float(trace.t[k])))
 
 
 def video(
@@ -415,10 +466,22 @@ def _arrows(model: mujoco.MjModel, data: mujoco.MjData, trace: Trace, t: float) 
         body = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_BODY, name)
         if body >= 0 and force.any() and start <= t < start + max(duration, PUSH_SHOWN):
             weight = float(model.body_subtreemass[0]) * GRAVITY
-            size = float(np.linalg.norm(force))
-            length = ARROW * float(trace.com[0, 2]) * min(max(size / weight, 0.3), 1.5)
-            arrows.append({"to": data.xipos[body].copy(), "along": length / size * force})
+            arrows.append(push_arrow(data.xipos[body], force, weight, float(trace.com[0, 2])))
     return arrows
+
+
+def push_arrow(at: np.ndarray, force: np.ndarray, weight: float, com_height: float) -> dict[str, Any]:
+    """The arrow of a force (3,) [N] on a point (3,) [m]; as long as a force is hard, within limits."""
+    size = float(np.linalg.norm(force))
+    length = ARROW * com_height * min(max(size / weight, 0.6), 1.5)
+    return {"to": np.array(at), "along": length / size * force if size else np.zeros(3)}
+
+
+def sole_outline(x: float, y: float, yaw: float, length: float, width: float) -> np.ndarray:
+    """Corners of a sole on the ground, counter-clockwise (4, 2) [m]."""
+    c, s = np.cos(yaw), np.sin(yaw)
+    corners = np.array([[1, 1], [-1, 1], [-1, -1], [1, -1]]) * (length / 2, width / 2)
+    return np.asarray((x, y) + corners @ [[c, s], [-s, c]])
 
 
 def _marks(trace: Trace, k: int) -> list[dict[str, Any]]:

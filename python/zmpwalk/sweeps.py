@@ -27,6 +27,7 @@ from ._core import WalkSettings
 from .disturbances import Uncertainty
 from .errors import Error, InputError, nearest
 from .files import as_input_error, cause, whole, write_table
+from .functions import fingerprint
 from .given import settings_of
 from .simulation import processors, simulate
 from .trace import ABOVE, Trace, plain
@@ -158,7 +159,9 @@ def sweep(
         processes: how many walk at a time on this machine; None takes all processors.
         cluster: address of a Dask scheduler ("tcp://host:8786") or a `distributed.Client`, whose workers walk instead.
             They must have the same zmpwalk and MuJoCo.
-        measure: more numbers of a trace, f(trace) -> {column: number}; with `processes` it needs to be picklable.
+        measure: more numbers of a trace, f(trace) -> {column: number}; with `processes` it needs to be picklable. Where
+            its code has changed since `out` was written, every walk is walked again; see `fingerprint` in
+            `zmpwalk.functions` for what it cannot know.
         on_progress: called with (walks done, all walks) after each.
         common: arguments of `simulate`, settings or uncertainties that all walks share.
 
@@ -269,10 +272,10 @@ def _arguments(point: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _key(job: Mapping[str, Any], measure: Measure | None) -> str:
-    """What tells one walk from every other: its arguments, the measure's name, and zmpwalk's version."""
+    """What tells one walk from every other: its arguments, the measure's code, and zmpwalk's version."""
     words = {
         "arguments": {name: _described(value) for name, value in sorted(job.items())},
-        "measure": None if measure is None else getattr(measure, "__qualname__", repr(measure)),
+        "measure": None if measure is None else fingerprint(measure),
         "zmpwalk": VERSION,
     }
     return hashlib.sha256(json.dumps(words, sort_keys=True).encode()).hexdigest()[:16]

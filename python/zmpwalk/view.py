@@ -1,195 +1,29 @@
-"""A live window on a robot that the keyboard walks, in every supported MuJoCo."""
+"""A live window on a robot that keyboard and mouse walk and push, in every supported MuJoCo."""
 
 from __future__ import annotations
 
 import math
 import os
 import sys
-from collections import deque
-from typing import Any, Callable, Sequence
+from typing import Any, Callable
 
 import mujoco
 import numpy as np
 
-from .analysis import feet_pose, mean_velocity, sole_yaw
-from .errors import Error, InputError
+from .errors import Error
 from .given import Settings
-from .render import Scene, crosses, default_camera, stride, velocity_words
-from .robots import Robot, load_robot
-from .simulation import WalkingController
+from .live import AXES, KEYS, LEGEND, LiveWalk, Steering
+from .render import Scene, default_camera
+from .robots import Robot
 
 __all__ = ["LiveWalk", "Steering", "view"]
 
-HELP = "W S forward, A D sideways, arrows too (left, right: turn), space stop, R restart, Esc quit"
 LONGEST_FRAME = 0.1  # what a frame may simulate: a slow machine shows slow motion instead of a standstill [s]
 CAMERA_LAG = 0.5  # time constant with which the camera goes after the robot [s]
-AZIMUTH, ELEVATION = 20.0, -15.0  # from behind, so that left is left [deg]
+AZIMUTH, ELEVATION = 20.0, -22.0  # from behind, so that left is left [deg]
 ZOOM = 0.05  # of the distance's logarithm for a notch of the wheel
-
-AXES = {  # of the command, and which way
-    "W": (0, 1), "UP": (0, 1), "S": (0, -1), "DOWN": (0, -1), "A": (1, 1), "D": (1, -1), "LEFT": (2, 1),
-    "RIGHT": (2, -1),
-}  # fmt: skip
-
-
-class Steering:
-    """Turns keys into a velocity command. It knows of no window.
-
-    Args:
-        step: what a key adds (3,): vx, vy, wz [m/s, m/s, rad/s].
-        limit: how far the command goes (3,), same units, both ways.
-
-    Raises:
-        InputError: not three positive numbers, or a step beyond its limit.
-
-    Usage: `steering = Steering((0.05, 0.03, 0.1), (0.6, 0.15, 0.5)); steering.press("W"); steering.command`
-    """
-
-    def __init__(self, step: Sequence[float], limit: Sequence[float]):
-        self._step, self._limit = np.array(step, float), np.array(limit, float)
-        for name, values in (("step", self._step), ("limit", self._limit)):
-            if values.shape != (3,) or not (np.isfinite(values) & (values > 0)).all():
-                raise InputError(f"{name} is {values.tolist()}; it must be three positive numbers (vx, vy, wz)")
-        if (self._step > self._limit).any():
-            raise InputError(f"step {self._step.tolist()} is beyond the limit {self._limit.tolist()}")
-        self._presses = np.zeros(3)  # whole steps, so that as many back end at zero
-
-    @classmethod
-    def of(cls, controller: WalkingController) -> Steering:
-        """Steps and limits for a robot: 0.6 m/s, 0.15 m/s and 0.5 rad/s for mahru in ten and five steps, where its legs
-        reach so far.
-
-        Args:
-            controller: of which COM height and reach are taken.
-        """
-        limit = np.array([0.22 * controller.com_height, 0.055 * controller.com_height, 0.14]) / controller.Tc
-        limit = np.array([controller.within_reach(axis)[i] for i, axis in enumerate(np.diag(limit))])
-        return cls((limit / (10, 5, 5)).tolist(), limit.tolist())
-
-    @property
-    def command(self) -> tuple[float, float, float]:
-        """(vx, vy, wz), heading frame [m/s, m/s, rad/s]."""
-        vx, vy, wz = np.clip(self._presses * self._step, -self._limit, self._limit) + 0.0
-        return float(vx), float(vy), float(wz)
-
-    def press(self, key: str) -> bool:
-        """Take a key.
-
-        Args:
-            key: "W", "A", "S", "D", "UP", "DOWN", "LEFT", "RIGHT", "SPACE"; others do nothing.
-
-        Returns:
-            Whether the command changed.
-
-        Usage: `steering.press("LEFT")`
-        """
-        before = self.command
-        if key == "SPACE":
-            self._presses[:] = 0
-        elif key in AXES:
-            axis, sign = AXES[key]
-            most = math.ceil(self._limit[axis] / self._step[axis] - 1e-9)
-            self._presses[axis] = max(-most, min(most, self._presses[axis] + sign))
-        return self.command != before
-
-
-class LiveWalk:
-    """A walk that goes on bit by bit and obeys keys: what the window shows, without the window.
-
-    Args:
-        robot: what `load_robot` takes.
-        settings: as for `simulate`; None takes `WalkSettings()`.
-        steering: None takes `Steering.of`.
-
-    Fields: `model`, `data`, `controller`, `steering`, `out` (the last cycle's), `closed`.
-
-    Raises:
-        ModelError, InputError: as `WalkingController`.
-
-    Usage: `walk = LiveWalk("mahru"); walk.press("W"); walk.advance(0.5)`
-    """
-
-    def __init__(self, robot: Robot = "mahru", settings: Settings = None, steering: Steering | None = None):
-        self.model, self._description = load_robot(robot)
-        self.data = mujoco.MjData(self.model)
-        self.controller = WalkingController(self.model, self._description, settings, profile=0.0)
-        self.steering = steering or Steering.of(self.controller)
-        self.closed = False
-        self.restart()
-
-    def restart(self) -> None:
-        """Back to the start pose, standing."""
-        mujoco.mj_resetData(self.model, self.data)
-        self._description.place(self.model, self.data)
-        self.controller.reset(self.data)
-        self.steering.press("SPACE")
-        self.out = self.controller.update(self.data)
-        self._owed = 0.0
-        self._poses: deque = deque([self._pose()])
-
-    def press(self, key: str) -> None:
-        """Take a key: those of `Steering`, "R" restarts, "ESCAPE" closes.
-
-        Usage: `walk.press("SPACE")`
-        """
-        if key == "ESCAPE":
-            self.closed = True
-        elif key == "R":
-            self.restart()
-        elif self.steering.press(key):
-            self.controller.command(*self.steering.command)
-
-    def advance(self, seconds: float) -> None:
-        """Simulate; what is less than a time step is kept for the next call. A robot that fell stays as it is.
-
-        Args:
-            seconds: of simulated time [s].
-        """
-        dt = self.model.opt.timestep
-        self._owed += seconds
-        while self._owed >= dt and not self.out.fell:
-            self._owed -= dt
-            self.out = self.controller.update(self.data)
-            mujoco.mj_step(self.model, self.data)
-        if self.out.t > self._poses[-1][0]:
-            self._poses.append(self._pose())
-        while len(self._poses) > 2 and self._poses[-1][0] - self._poses[1][0] > stride(self.controller.com_height):
-            self._poses.popleft()
-
-    def _pose(self) -> tuple[float, np.ndarray]:
-        return self.out.t, feet_pose(self.out.foot_left, self.out.foot_right)
-
-    @property
-    def velocity(self) -> np.ndarray:
-        """(vx, vy, wz) of the feet over about the last two steps, heading frame [m/s, m/s, rad/s]."""
-        (t0, before), (t1, after) = self._poses[0], self._poses[-1]
-        return mean_velocity(before, after, t1 - t0) if t1 > t0 else np.zeros(3)
-
-    @property
-    def words(self) -> dict[str, str]:
-        """What is written in the window."""
-        out = self.out
-        foot = out.foot_left if out.support > 0 else out.foot_right
-        yaw = sole_yaw(foot)
-        x, y = np.array([[np.cos(yaw), np.sin(yaw)], [-np.sin(yaw), np.cos(yaw)]]) @ (out.zmp_est - foot[:2]) * 1e3
-        side = "left" if out.support > 0 else "right"
-        words = {
-            self._description.name: f"{out.t:.2f} s",
-            **velocity_words(np.array(self.steering.command), self.velocity),
-            "ZMP": f"{x:+.0f} mm ahead, {y:+.0f} mm left of the {side} sole's centre",
-            "keys": HELP,
-        }
-        if out.fall_foreseen:
-            words["foreseen"] = out.foreseen_cause
-        if out.fell:
-            words["fell"] = f"{out.fall_cause}; R restarts"
-        return words
-
-    @property
-    def marks(self) -> list[dict[str, Any]]:
-        """Crosses on the ground: ZMP and the point under the COM."""
-        out = self.out
-        return crosses(out.com, out.zmp_est, out.foot_left, out.foot_right)
+LINE, CHIP = 24, (96, 24)  # height of a status line; size of an entry of the legend [pixels]
+OTHER_KEYS = ("SPACE", "R", "ESCAPE", "P", "N", "MINUS", "EQUAL", "T", "H", *"123456789")
 
 
 class Window:
@@ -224,7 +58,8 @@ class Window:
             raise Error(f"cannot open a window: {'; '.join(said) or 'GLFW does not say why'}")
         glfw.make_context_current(self._window)
         glfw.swap_interval(1)
-        self._names = {getattr(glfw, f"KEY_{name}"): name for name in (*AXES, "SPACE", "R", "ESCAPE")}
+        self._names = {getattr(glfw, f"KEY_{name}"): name for name in (*AXES, *OTHER_KEYS)}
+        self._held: tuple[int, float] | None = None  # the body under the mouse, and how far it is from the eye [m]
         try:
             self._scene = Scene(walk.model, shadows)
         except mujoco.FatalError as error:
@@ -235,17 +70,48 @@ class Window:
         self._mouse = glfw.get_cursor_pos(self._window)
         glfw.set_key_callback(self._window, self.key)
         glfw.set_cursor_pos_callback(self._window, self.cursor)
+        glfw.set_mouse_button_callback(self._window, self.button)
         glfw.set_scroll_callback(self._window, self.scroll)
 
     def key(self, window: Any, key: int, scancode: int, action: int, mods: int) -> None:
         """GLFW's key callback: a key held down repeats."""
         if action != self._glfw.RELEASE and key in self._names:
-            self._walk.press(self._names[key])
+            self._walk.press(self._names[key], bool(mods & self._glfw.MOD_SHIFT))
+
+    def button(self, window: Any, button: int, action: int, mods: int) -> None:
+        """GLFW's mouse button callback: with ctrl the left button takes hold of a link, until it is released."""
+        if button != self._glfw.MOUSE_BUTTON_LEFT:
+            return
+        if action == self._glfw.PRESS and mods & self._glfw.MOD_CONTROL:
+            eye, along = self._ray(*self._glfw.get_cursor_pos(self._window))
+            self.hold(eye, along)
+        elif action == self._glfw.RELEASE and self._held is not None:
+            self._held = None
+            self._walk.pull(None)
+
+    def hold(self, eye: np.ndarray, along: np.ndarray) -> None:
+        """Take hold of the link that is nearest to a ray, if one is near."""
+        body = self._walk.pick(eye, along)
+        if body is not None:
+            place = self._walk.data.xipos[body]
+            self._held = body, float((place - eye) @ along)
+            self._walk.pull(body, place)
+
+    def _ray(self, x: float, y: float) -> tuple[np.ndarray, np.ndarray]:
+        """Where the eye is, and the direction in which it sees a point of the window; W (3,) [m], unit length."""
+        width, height = self._glfw.get_window_size(self._window)
+        shown = height * self._picture().height / max(1, self._glfw.get_framebuffer_size(self._window)[1])
+        return ray(self._camera, self._walk.model.vis.global_.fovy, width, shown, x, y)
 
     def cursor(self, window: Any, x: float, y: float) -> None:
         """GLFW's cursor callback: the left button turns the view, the right one comes nearer or goes away."""
         (x0, y0), self._mouse = self._mouse, (x, y)
         glfw, view = self._glfw, self._camera
+        if self._held is not None:
+            body, depth = self._held
+            eye, along = self._ray(x, y)
+            self._walk.pull(body, eye + depth * along)
+            return
         across, down = (np.array([x - x0, y - y0]) / max(1, glfw.get_window_size(self._window)[1])).tolist()
         if glfw.get_mouse_button(self._window, glfw.MOUSE_BUTTON_LEFT) == glfw.PRESS:
             view.azimuth -= 180 * across
@@ -264,23 +130,32 @@ class Window:
             seconds: since the last frame [s].
         """
         walk = self._walk
-        walk.advance(min(seconds, LONGEST_FRAME))
+        walk.advance(min(walk.pace * seconds, LONGEST_FRAME))
         catch_up = 1 - math.exp(-seconds / CAMERA_LAG)
         x, y = self._camera.lookat[:2]
         self._camera.lookat[:2] = (x, y) + catch_up * (walk.out.com[:2] - (x, y))
-        self._scene.draw(self._viewport(), walk.data, self._camera, walk.marks, walk.words)
+        self._draw()
         self._glfw.swap_buffers(self._window)
         self._glfw.poll_events()
         walk.closed = walk.closed or bool(self._glfw.window_should_close(self._window))
 
     def picture(self) -> np.ndarray:
         """What the window shows (height, width, 3) uint8."""
-        walk = self._walk
-        self._scene.draw(self._viewport(), walk.data, self._camera, walk.marks, walk.words)
-        return self._scene.read(self._viewport())
+        self._draw()
+        return self._scene.read(mujoco.MjrRect(0, 0, *self._glfw.get_framebuffer_size(self._window)))
 
-    def _viewport(self) -> mujoco.MjrRect:
-        return mujoco.MjrRect(0, 0, *self._glfw.get_framebuffer_size(self._window))
+    def _draw(self) -> None:
+        """The walk above, and under it what there is to say, so that no word covers the robot."""
+        walk, shown = self._walk, self._picture()
+        keys = KEYS if walk.help else None
+        self._scene.draw(shown, walk.data, self._camera, walk.marks, keys, walk.arrows, walk.outlines)
+        self._scene.panel(mujoco.MjrRect(0, 0, shown.width, shown.bottom), walk.words, list(LEGEND.values()), CHIP)
+
+    def _picture(self) -> mujoco.MjrRect:
+        """The part of the window in which the robot is; the status lines are below."""
+        width, height = self._glfw.get_framebuffer_size(self._window)
+        bar = min(LINE * len(self._walk.words) + LINE // 2, height // 2)
+        return mujoco.MjrRect(0, bar, width, height - bar)
 
     def close(self) -> None:
         """Take the window away."""
@@ -297,25 +172,29 @@ def view(
     height: int = 800,
     shadows: bool = True,
     on_frame: Callable[[Window, LiveWalk], None] | None = None,
-) -> None:
-    """Open a window on a robot and let the keyboard walk it, in real time, until Esc or the window's own cross.
+    record: str | os.PathLike = "walk.npz",
+) -> LiveWalk:
+    """Open a window on a robot and let keyboard and mouse walk and push it, in real time, until Esc or the window's own
+    cross. The key H shows all keys.
 
     Args:
         robot: what `load_robot` takes.
         settings: as for `simulate`; None takes `WalkSettings()`.
-        speed: simulated seconds in a second.
+        speed: simulated seconds in a second at first; the keys - and = change it.
         width, height: of the window [screen units].
         shadows: draw shadows and reflections.
         on_frame: called after each frame; may press keys.
+        record: the `.npz` file that the key T records into; a number is put before its ending where the file is there.
+
+    Returns:
+        The walk as it was when the window closed; `recorded` are the files that were written.
 
     Raises:
         Error: no window can be opened.  InputError: `speed` is not positive.  ModelError: a robot that cannot walk.
 
     Usage: `zmpwalk.view.view("mahru")`
     """
-    if not (math.isfinite(speed) and speed > 0):
-        raise InputError(f"speed is {speed:g}; it must be positive and finite")
-    walk = LiveWalk(robot, settings)
+    walk = LiveWalk(robot, settings, pace=speed, record=record)
     window = Window(walk, width, height, shadows)
     try:
         import glfw
@@ -323,9 +202,35 @@ def view(
         last = glfw.get_time()
         while not walk.closed:
             now = glfw.get_time()
-            window.frame(speed * (now - last))
+            window.frame(now - last)
             last = now
             if on_frame:
                 on_frame(window, walk)
     finally:
         window.close()
+        walk.stop_recording()
+    return walk
+
+
+def ray(
+    camera: mujoco.MjvCamera, fovy: float, width: float, height: float, x: float, y: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """Where a free camera's eye is, and the direction in which it sees a point of its picture.
+
+    Args:
+        camera: a free one.
+        fovy: its field of view from bottom to top [deg].
+        width, height: of the picture [pixels].
+        x, y: the point, from the picture's upper left corner [pixels].
+
+    Returns:
+        Place (3,) [m] and direction (3,) of unit length, W.
+    """
+    azimuth, elevation = math.radians(camera.azimuth), math.radians(camera.elevation)
+    level = np.array([math.cos(azimuth), math.sin(azimuth), 0.0])
+    ahead = math.cos(elevation) * level + [0.0, 0.0, math.sin(elevation)]
+    right = np.array([level[1], -level[0], 0.0])
+    up = np.cross(right, ahead)
+    half = math.tan(math.radians(fovy) / 2)
+    along = ahead + half * ((2 * x - width) / height * right + (1 - 2 * y / height) * up)
+    return np.array(camera.lookat) - camera.distance * ahead, along / np.linalg.norm(along)

@@ -96,6 +96,7 @@ def reader(tmp_path, monkeypatch):
     return {"zmpwalk": zmpwalk, "model": model, "data": data, "controller": controller}
 
 
+@pytest.mark.once
 @pytest.mark.parametrize("page", [page for page in PAGES if python_code(page)], ids=name_of)
 def test_python_code_of_a_page_runs_from_top_to_bottom(page, reader):
     if page.name in NEEDS:
@@ -109,6 +110,7 @@ def test_python_code_of_a_page_runs_from_top_to_bottom(page, reader):
         exec(compile(code, name_of(page), "exec"), reader)
 
 
+@pytest.mark.once
 @pytest.mark.parametrize("page", [page for page in PAGES if commands(page)], ids=name_of)
 def test_commands_of_a_page_run_one_after_the_other(page, reader, capsys):
     for command in commands(page):
@@ -151,6 +153,15 @@ def test_links_lead_to_files_and_headings_that_are_there(page):
         if heading:
             anchors = re.findall(r"^#+ (.*)$", led.read_text(encoding="utf-8"), re.M)
             assert heading in [re.sub(r"[^\w\- ]", "", a).strip().lower().replace(" ", "-") for a in anchors], target
+
+
+def test_the_readme_begins_with_a_small_picture_that_moves():
+    Image = pytest.importorskip("PIL.Image")
+    first = (ROOT / "README.md").read_text(encoding="utf-8").partition("\n## ")[0]
+    (name,) = re.findall(r"\]\((docs/images/\w+\.webp)\)", first)
+    assert (ROOT / name).stat().st_size < 2e6
+    with Image.open(ROOT / name) as picture:
+        assert picture.n_frames > 100
 
 
 @pytest.mark.parametrize("page", HOWTOS, ids=name_of)
@@ -198,6 +209,7 @@ def test_a_number_of_the_readme_is_that_of_the_page_that_a_benchmark_writes(said
     assert float(claim.group(1)) in [round(value, digits) for value in values]
 
 
+@pytest.mark.once
 def test_the_readme_prints_what_its_command_measures():
     spec = importlib.util.spec_from_file_location("make_numbers", DOCS / "make_numbers.py")
     make_numbers = importlib.util.module_from_spec(spec)

@@ -25,13 +25,17 @@ def test_the_reference_holds_every_public_name():
 def test_every_page_is_reached_from_the_first():
     listed = set(re.findall(r"^([\w/]+)$", (DOCS / "index.md").read_text(encoding="utf-8"), re.M))
     pages = {page.relative_to(DOCS).with_suffix("").as_posix() for page in DOCS.rglob("*.md")}
-    assert listed == pages - {"index"}
+    course = {f"course/{notebook.stem}" for notebook in (DOCS.parent / "notebooks").glob("*.ipynb")}
+    assert listed == pages - {"index"} | course
 
 
+@pytest.mark.once
 def test_the_site_builds_without_a_warning(tmp_path):
     pytest.importorskip("sphinx")
-    pytest.importorskip("myst_parser")
+    pytest.importorskip("myst_nb")
+    pytest.importorskip("latex2mathml")
     command = [sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-b", "html", "-d", str(tmp_path / "read")]
+    command += ["-D", "nb_execution_mode=off"]  # test_notebook.py runs them
     done = subprocess.run(
         [*command, str(DOCS), str(tmp_path / "site")],
         stdout=subprocess.PIPE,
@@ -40,6 +44,8 @@ def test_the_site_builds_without_a_warning(tmp_path):
         check=False,
     )
     assert done.returncode == 0, done.stdout
+    iteration = (tmp_path / "site" / "course" / "03_iteration.html").read_text(encoding="utf-8")
+    assert iteration.count("<math ") > 10 and "MathJax" not in iteration  # equations need no network either
     reference = (tmp_path / "site" / "api.html").read_text(encoding="utf-8")
     for name in zmpwalk.__all__:
         if not name.startswith("__"):

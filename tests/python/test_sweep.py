@@ -149,6 +149,28 @@ def test_a_sweep_over_more_walks_only_what_is_new(tmp_path, monkeypatch):
     assert done == [(0, 1), (1, 1), (1, 2), (2, 2)]
 
 
+def test_a_measure_whose_code_changed_is_walked_again(tmp_path):
+    walked = []
+
+    def again(measure):
+        done = []
+        found = sweep(
+            {"profile": [0.1]},
+            tmp_path / "a.csv",
+            1,
+            measure=measure,
+            duration=0.2,
+            on_progress=lambda *n: done.append(n),
+        )
+        walked.append(done[0][0] == 0)
+        return found["height"][0]
+
+    lowest = again(lambda trace: {"height": trace.com[:, 2].min()})
+    assert again(lambda trace: {"height": trace.com[:, 2].min()}) == lowest
+    assert again(lambda trace: {"height": trace.com[:, 2].max()}) > lowest
+    assert walked == [True, False, True]
+
+
 def test_a_damaged_line_of_what_was_kept_is_walked_again(tmp_path):
     table = tmp_path / "a.csv"
     first = sweep({"profile": [0.1]}, table, processes=1, duration=0.2)

@@ -35,6 +35,11 @@ __all__ = ["command"]
     help="With --compare, a panel for this: velocity, sideways, zmp, estimate, torque, or any column of a trace, such "
     "as com_z.  [default: velocity, sideways, estimate, torque]",
 )
+@click.option(
+    "--interactive",
+    is_flag=True,
+    help="Write a page to zoom into, interactive.html, which needs no network to be read.",
+)
 @format_option
 def command(
     traces: tuple[Path, ...],
@@ -42,6 +47,7 @@ def command(
     figures: tuple[str, ...],
     compare: bool,
     quantities: tuple[str, ...],
+    interactive: bool,
     kind: str,
 ) -> int:
     """Draw the figures of a walk from its TRACE file alone, or compare several walks.
@@ -49,6 +55,7 @@ def command(
     \b
     zmpwalk plot out/first/trace.npz --figure estimate
     zmpwalk plot --compare out/slow/trace.npz out/fast/trace.npz
+    zmpwalk plot --interactive out/first/trace.npz
     """
     from .. import plot  # matplotlib is slow to import
 
@@ -56,6 +63,8 @@ def command(
         raise InputError("--quantity goes with --compare")
     if figures and compare:
         raise InputError("--figure does not go with --compare, whose panels are named by --quantity")
+    if figures and interactive:
+        raise InputError("--figure does not go with --interactive, which draws a page of its own")
     if len(traces) > 1 and not compare:
         raise InputError(f"{len(traces)} traces: add --compare for one figure of them all, or draw one at a time")
     names = [name for name in figures if name != "all"]
@@ -64,7 +73,11 @@ def command(
     walked = {name: Trace.load(path) for name, path in zip(_names(traces), traces)}
     folder = out or traces[0].parent
     with together(folder) as (draft, deliver):
-        if compare:
+        if interactive:
+            files = [draft / "interactive.html"]
+            shown = walked if compare else next(iter(walked.values()))
+            plot.interactive(shown, quantities or plot.COMPARED).write_html(files[0])
+        elif compare:
             figure = plot.compare(walked, quantities or plot.COMPARED)
             files = [draft / f"compare.{kind}"]
             figure.savefig(files[0])

@@ -83,7 +83,7 @@ def _panel(ax: Axes, name: str, traces: Mapping[str, Trace], low: float, high: f
     for i, (label, trace) in enumerate(traces.items()):
         rows = slice(*np.searchsorted(trace.t, (low - 1e-9, high + 1e-9)))
         look: dict[str, Any] = {"color": SERIES[i % len(SERIES)], "ls": SERIES_DASHES[i % len(SERIES_DASHES)]}
-        t, values = trace.t[rows], _values(trace, name, label)[rows]
+        t, values = trace.t[rows], values_of(trace, name, label)[rows]
         if not len(t):
             continue
         if name in ("torque", "estimate"):
@@ -101,7 +101,7 @@ def _panel(ax: Axes, name: str, traces: Mapping[str, Trace], low: float, high: f
         shown.append(values[calm] if calm.any() else values)
     if not shown:
         raise InputError(f"nothing to compare from {low:g} to {high:g} s: every walk ends before, or begins after")
-    ax.set_ylabel(QUANTITIES.get(name) or _label(name))
+    ax.set_ylabel(QUANTITIES.get(name) or label_of(name))
     ax.set_xlim(low, high)
     if name == "estimate":
         ax.set_yscale("log")
@@ -120,7 +120,7 @@ def _trouble(trace: Trace) -> float:
     return min((float(t) - 0.3 for t in known if t is not None), default=math.inf)
 
 
-def _values(trace: Trace, name: str, label: str) -> np.ndarray:
+def values_of(trace: Trace, name: str, label: str) -> np.ndarray:
     if name == "velocity":
         return trace.forward_velocity()
     if name == "sideways":
@@ -148,6 +148,6 @@ def _largest(t: np.ndarray, values: np.ndarray, count: int) -> tuple[np.ndarray,
     return t[: whole * count : count], np.where(np.isfinite(known), known, math.nan)
 
 
-def _label(name: str) -> str:
+def label_of(name: str) -> str:
     column = COLUMNS.get(name) or next((known for known in COLUMNS.values() if name.startswith(known.name + "_")), None)
     return f"{name} [{column.unit}]" if column is not None and column.unit else name
