@@ -24,6 +24,7 @@ struct Turning {
 
 /// R = R_z(yaw) R_y(pitch) R_x(roll), each angle with its rate and acceleration.
 inline Turning turning(const Motion1& roll, const Motion1& pitch, const Motion1& yaw) {
+  if (roll.at_zero() && pitch.at_zero() && yaw.at_zero()) return {};
   const Mat3 R_z = rotation_z(yaw.p);
   const Vec3 y = R_z.col(1), x = std::cos(pitch.p) * R_z.col(0) - std::sin(pitch.p) * Vec3::UnitZ();
   const Vec3 omega_z = yaw.v * Vec3::UnitZ(), omega_zy = omega_z + pitch.v * y;

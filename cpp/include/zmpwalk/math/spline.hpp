@@ -9,6 +9,8 @@ namespace zmpwalk {
 /// Position, velocity and acceleration of one coordinate.
 struct Motion1 {
   double p = 0.0, v = 0.0, a = 0.0;
+
+  bool at_zero() const { return p == 0.0 && v == 0.0 && a == 0.0; }
 };
 
 /// The cubic p(t) = c0 + c1 t + c2 t^2 + c3 t^3 that meets position and velocity at t = 0 and t = T.
