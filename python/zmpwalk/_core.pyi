@@ -529,11 +529,11 @@ class WalkSettings:
                 lengths (step_lengths): How far each step lands ahead of the standing foot, one number per step; the last one repeats. Tied footsteps do not use it. Unit: m. Default: [].
                 width (step_width): Distance of the two feet from each other, sideways. Unit: m. Default: as the feet stand at the start.
                 clearance (foot_clearance): Least gap that a step leaves between the edges of the two soles, sideways. Unit: m. Default: 0.03 z_c.
-                shift (foothold_reach): How far a tied foothold may be moved from its nominal place to keep the robot balanced. A robot that has been pushed uses all its reach. Unit: m. Default: 0.25 z_c.
+                shift (foothold_reach): How far a tied foothold moves from its nominal place to keep the robot balanced, whatever the foot in the air does. A longer way, and any way of a robot that has been pushed, is bounded by the reach of the leg and by where the foot in the air can still get to. Unit: m. Default: 0.25 z_c.
                 filter_time (foothold_time): Time constant of the low-pass through which a tied foothold moves while the foot is in the air. Unit: s. Default: 0.18 T_c.
                 give (foothold_give): A COM that is faster or slower than planned needs another foothold or another ZMP. Up to this share of its bounds the ZMP over the next foot makes up for it; only the rest moves a tied foothold. With 0 each long step would be followed by a short one. Default: 0.3.
                 freeze (foothold_freeze): Share of the single support after which a tied foothold stays where it is, so that the foot lands calmly. Default: 0.7.
-                capture_distance (capture_reach): How far the DCM (COM + T_c times its velocity) may be from its planned place when the next foot takes over, with tied footsteps. Beyond that the tracked speed yields, so that the next step still catches the robot. Unit: m. Default: 0.07 z_c.
+                capture_distance (capture_reach): How far the DCM (COM + T_c times its velocity) may be from its planned place when the next foot takes over, with tied footsteps. Beyond that, or where the ZMP over that foot could not hold it, the tracked speed yields, so that the next step still catches the robot. Unit: m. Default: 0.07 z_c.
                 capture_speed: Most that the tracked speed yields, either way, to keep the DCM within capture_distance of its plan. Unit: m/s. Default: 0.2 sqrt(g z_c).
                 timing (step_timing): Whether a robot that has been pushed changes the time of its step, uses the whole sole, and steps out of a stand to catch itself. Only with tied footsteps. Default: True.
                 ahead_most (step_ahead_most): How far ahead of the standing foot, or behind it, a foot may be set down to catch the robot. Unit: m. Default: 0.6 z_c.
@@ -1004,7 +1004,7 @@ class WalkSettings:
     def foot_clearance(self, value: float) -> None: ...
     @property
     def foothold_reach(self) -> float:
-        """steps.shift: How far a tied foothold may be moved from its nominal place to keep the robot balanced. A robot that has been pushed uses all its reach. Unit: m. Default: 0.25 z_c."""
+        """steps.shift: How far a tied foothold moves from its nominal place to keep the robot balanced, whatever the foot in the air does. A longer way, and any way of a robot that has been pushed, is bounded by the reach of the leg and by where the foot in the air can still get to. Unit: m. Default: 0.25 z_c."""
     @foothold_reach.setter
     def foothold_reach(self, value: float) -> None: ...
     @property
@@ -1024,7 +1024,7 @@ class WalkSettings:
     def foothold_freeze(self, value: float) -> None: ...
     @property
     def capture_reach(self) -> float:
-        """steps.capture_distance: How far the DCM (COM + T_c times its velocity) may be from its planned place when the next foot takes over, with tied footsteps. Beyond that the tracked speed yields, so that the next step still catches the robot. Unit: m. Default: 0.07 z_c."""
+        """steps.capture_distance: How far the DCM (COM + T_c times its velocity) may be from its planned place when the next foot takes over, with tied footsteps. Beyond that, or where the ZMP over that foot could not hold it, the tracked speed yields, so that the next step still catches the robot. Unit: m. Default: 0.07 z_c."""
     @capture_reach.setter
     def capture_reach(self, value: float) -> None: ...
     @property
@@ -1682,7 +1682,7 @@ class StepsSettings:
     def clearance(self, value: float) -> None: ...
     @property
     def shift(self) -> float:
-        """How far a tied foothold may be moved from its nominal place to keep the robot balanced. A robot that has been pushed uses all its reach. Unit: m. Default: 0.25 z_c."""
+        """How far a tied foothold moves from its nominal place to keep the robot balanced, whatever the foot in the air does. A longer way, and any way of a robot that has been pushed, is bounded by the reach of the leg and by where the foot in the air can still get to. Unit: m. Default: 0.25 z_c."""
     @shift.setter
     def shift(self, value: float) -> None: ...
     @property
@@ -1702,7 +1702,7 @@ class StepsSettings:
     def freeze(self, value: float) -> None: ...
     @property
     def capture_distance(self) -> float:
-        """How far the DCM (COM + T_c times its velocity) may be from its planned place when the next foot takes over, with tied footsteps. Beyond that the tracked speed yields, so that the next step still catches the robot. Unit: m. Default: 0.07 z_c."""
+        """How far the DCM (COM + T_c times its velocity) may be from its planned place when the next foot takes over, with tied footsteps. Beyond that, or where the ZMP over that foot could not hold it, the tracked speed yields, so that the next step still catches the robot. Unit: m. Default: 0.07 z_c."""
     @capture_distance.setter
     def capture_distance(self, value: float) -> None: ...
     @property

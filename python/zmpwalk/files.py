@@ -155,8 +155,8 @@ def _draft_folder(parent: Path) -> Iterator[Path]:
     """A new hidden folder in `parent`, gone when the block ends; those that killed processes have left go now.
 
     Whoever works in a draft folder holds a lock on it, which the system takes away from a process that dies. To make
-    and lock one, and to look for unlocked ones, takes the lock of `parent`, so that no folder is seen before its lock. A
-    draft folder has its lock already, by whoever writes in it, and nobody else does.
+    and lock one, and to look for unlocked ones, takes the lock of `parent`, so that no folder is seen before its lock.
+    A draft folder has its lock already, by whoever writes in it, and nobody else does.
     """
     is_draft = parent.name.startswith(DRAFT)
     with contextlib.nullcontext(False) if is_draft else _locked(parent) as alone:
