@@ -131,12 +131,12 @@ def test_a_compiler_that_is_missing_or_fails_is_an_error_with_the_way_out():
 def test_versions_of_one_layout_share_an_adapter(monkeypatch, tmp_path):
     layouts = json.loads((Path(_adapters.__file__).parent / "adapters" / "layouts.json").read_text())
     assert layouts["2.2.2"] == "2.2.2"
-    assert layouts["3.1.3"] == layouts["3.1.2"]
-    (tmp_path / "adapter-3.1.2.so").touch()
+    assert layouts["3.1.1"] == layouts["3.1.0"]
+    (tmp_path / "adapter-3.1.0.so").touch()
     monkeypatch.setattr(_adapters, "_folders", lambda: [tmp_path])
-    assert _adapters.adapter_file("3.1.3") == tmp_path / "adapter-3.1.2.so"
-    assert _adapters.adapter_versions() == ["3.1.2", "3.1.3"]
-    assert _adapters.adapter_file("3.1.4") is None
+    assert _adapters.adapter_file("3.1.1") == tmp_path / "adapter-3.1.0.so"
+    assert _adapters.adapter_versions() == ["3.1.0", "3.1.1"]
+    assert _adapters.adapter_file("3.1.2") is None
 
 
 def test_the_interface_is_that_of_the_header():

@@ -313,7 +313,7 @@ double GaitGenerator::speed_in_M(const Vec3& v, Side side, double angle, double 
 
 void GaitGenerator::take_orbit(ForwardOrbit& orbit, const ZmpBounds& sole, double v, double period, bool end) const {
   const double middle = settings_.com.lead, ahead = sole.upper.x() - middle, behind = middle - sole.lower.x();
-  const double roll = end ? (v < 0.0 ? behind : ahead) : std::max(ahead, behind);
+  const double roll = end ? std::min(ahead, behind) : std::max(ahead, behind);
   if (!orbit.is_for(pendulum_, v, period, roll)) orbit = {pendulum_, v, period, roll};
 }
 

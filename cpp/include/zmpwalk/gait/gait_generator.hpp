@@ -143,7 +143,8 @@ class GaitGenerator {
   LandingRoom landing_room(const GaitInput& in) const;
   bool off_the_feet(const GaitInput& in) const;  // the DCM of a robot that stands has left its soles: it must step
   void begin_catching(const GaitInput& in);      // from a stand
-  /// Over the support foot. The ZMP may roll as far as the sole goes on its longer side; `end`: as it does at the end of a stance.
+  /// Over the support foot. The ZMP may roll as far as the sole goes on its longer side; `end`: as far as it does on both, at the end of one stance and
+  /// at the beginning of the next.
   void take_orbit(ForwardOrbit& orbit, const ZmpBounds& sole, double v, double period, bool end = false) const;
   void capture(const GaitInput& in, double time);
   double planned_lead() const;  ///< of the next foot from the support foot, along the next foot's M [m]
