@@ -69,15 +69,18 @@ void bind_description(py::module_& m) {
            py::kw_only(), "name"_a, "root_joint"_a, "left"_a, "right"_a, "stand_joints"_a, "stand_base_pos"_a,
            "stand_base_quat"_a = Eigen::Vector4d(1, 0, 0, 0), "stand_keyframe"_a = "",
            "torque_limits"_a = std::map<std::string, double>())
-      .def_readonly("name", &RobotDescription::name)
+      .def_readonly("name", &RobotDescription::name, "what the robot is called in figures and traces")
       .def_readonly("root_joint", &RobotDescription::root_joint,
                     "the free joint; empty where the model does not name it")
-      .def_property_readonly("left", [](const RobotDescription& d) { return d.feet[kLeft]; })
-      .def_property_readonly("right", [](const RobotDescription& d) { return d.feet[kRight]; })
+      .def_property_readonly(
+          "left", [](const RobotDescription& d) { return d.feet[kLeft]; }, "the left foot, a `Foot`")
+      .def_property_readonly(
+          "right", [](const RobotDescription& d) { return d.feet[kRight]; }, "the right foot, a `Foot`")
       .def_readonly("stand_joints", &RobotDescription::stand_joints, "start posture by joint name [rad or m]")
       .def_readonly("stand_base_pos", &RobotDescription::stand_base_pos, "base position, soles on z = 0 (3,) [m]")
       .def_readonly("stand_base_quat", &RobotDescription::stand_base_quat, "base orientation (w, x, y, z)")
-      .def_readonly("stand_keyframe", &RobotDescription::stand_keyframe)
+      .def_readonly("stand_keyframe", &RobotDescription::stand_keyframe,
+                    "keyframe of the model that the start posture was read from; empty where it was given in numbers")
       .def_readonly("torque_limits", &RobotDescription::torque_limits, "by joint name, in place of the model's [N m]")
       .def(py::pickle(
           [](const RobotDescription& d) {

@@ -52,8 +52,8 @@ void bind_dynamics(py::module_& m) {
       "All that equations 1-15 need to know of a robot at one instant; plain arrays, no simulator.\n\n"
       "A ddq + b + g + J_c' f_c = S' tau, f_c the wrench of the robot on the ground.");
   dynamics.def(py::init<int>(), "nv"_a)
-      .def_property_readonly("nv", &Dynamics::nv)
-      .def_property_readonly("joints", &Dynamics::joints);
+      .def_property_readonly("nv", &Dynamics::nv, "velocities: 6 of the base, and one of each joint")
+      .def_property_readonly("joints", &Dynamics::joints, "joints, nv - 6");
   dynamics.def_readwrite("mass", &Dynamics::mass, "[kg]");
 #define ARRAY(name, doc)                                   \
   {                                                        \
@@ -98,7 +98,9 @@ void bind_dynamics(py::module_& m) {
             return r.robot.dynamics();
           },
           "data"_a, "Dynamics of the state in `data` (a copy).\n\nRaises:\n    InputError: the state is not finite.")
-      .def_property_readonly("joint_names", [](const PyRobot& r) { return r.robot.joint_names(); })
+      .def_property_readonly(
+          "joint_names", [](const PyRobot& r) { return r.robot.joint_names(); },
+          "names of the joints, in the order of torques and joint velocities")
       .def_property_readonly(
           "leg_joints", [](const PyRobot& r) { return r.robot.leg_joints(); },
           "joint indices of the two legs, hip to ankle")

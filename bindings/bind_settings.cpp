@@ -127,6 +127,9 @@ struct Former {
   const char *group, *name, *now, *yes, *no;
 
   Setting row() const { return {group, name, name, "", must_be::kAnything, {}, ""}; }
+  std::string meaning() const {
+    return std::string("It is ") + group + "." + now + " now: true stands for '" + yes + "', false for '" + no + "'.";
+  }
 };
 constexpr Former kFormer[] = {{"zmp", "lateral_feedback", "lateral_law", "orbit", "paper"}};
 
@@ -280,7 +283,11 @@ void bind_settings(py::module_& m) {
       .def_readonly("meaning", &Row::meaning, "what it is for")
       .def_property_readonly("text", &row_text, "what it is for, its unit, its words and its default, in one paragraph")
       .def("__repr__", [](const Row& r) { return "Setting(" + r.group + "." + r.name + ": " + row_text(r) + ")"; });
-  py::class_<WalkSettings> cls(m, "WalkSettings");
+  py::class_<WalkSettings> cls(
+      m, "WalkSettings",
+      "Everything about a walk that can be set: gains, times, bounds and laws, in groups. Settings "
+      "that are not given take a default, most of which scale with the robot. `help(WalkSettings."
+      "__init__)` lists them all.");
   const std::string text = documentation();
   cls.def(py::init([](const std::string& law, const py::kwargs& keywords) { return from_keywords(law, keywords); }),
           "law"_a = "default", text.c_str());
@@ -296,7 +303,7 @@ void bind_settings(py::module_& m) {
   for (const Former& former : kFormer)
     cls.def_property(
         former.name, [former](const WalkSettings& s) { return get(s, former.now).equal(py::str(former.yes)); },
-        [former](WalkSettings& s, const py::object& value) { set(s, former.name, value); });
+        [former](WalkSettings& s, const py::object& value) { set(s, former.name, value); }, former.meaning().c_str());
   cls.def_static(
       "table",
       [] {
@@ -317,10 +324,9 @@ void bind_settings(py::module_& m) {
         });
         for (const Former& former : kFormer)
           if (name == former.name || name == former.row().path()) {
-            const std::string now = std::string(former.group) + "." + former.now;
             Row row = row_of(true, former.row());
             row.default_value = py::bool_(get(fresh, former.now).equal(py::str(former.yes)));
-            row.meaning = "It is " + now + " now: true stands for '" + former.yes + "', false for '" + former.no + "'.";
+            row.meaning = former.meaning();
             out = py::cast(row);
           }
         if (!out) throw InputError(no_such_setting(name));

@@ -115,7 +115,7 @@ struct StepsSettings {
     v(g.width, "width", "step_width", "m", must_be::kPositive, {"as the feet stand at the start", defaults::feet_apart},
       "Distance of the two feet from each other, sideways.");
     v(g.clearance, "clearance", "foot_clearance", "m", must_be::kNotNegative, {0.03, of::kComHeight},
-      "Least gap that a step leaves between the edges of the two soles, sideways.");
+      "Least gap that a step leaves between the edges of the two feet, sideways.");
     v(g.shift, "shift", "foothold_reach", "m", must_be::kNotNegative, {0.25, of::kComHeight},
       "How far a tied foothold moves from its nominal place to keep the robot balanced, whatever the foot in the air "
       "does. A longer way, and any way of a robot that has been pushed, is bounded by the reach of the leg and by "
