@@ -76,6 +76,7 @@ from .robots import (
 from .settings import load_settings, settings_toml
 from .simulation import Recorder, WalkingController, simulate, simulate_batch
 from .tasks import FrameTask, JointTask, MomentumTask
+from .terrain import Patch, Terrain
 from .trace import Trace
 from .troubles import Robustness, robustness
 from .verdict import Verdict, judge
@@ -97,6 +98,7 @@ __all__ = [
     "LinearInvertedPendulum",
     "ModelError",
     "MomentumTask",
+    "Patch",
     "PendulumWalk",
     "Plane",
     "Proposal",
@@ -109,6 +111,7 @@ __all__ = [
     "State",
     "TaskAccelerations",
     "TaskSpace",
+    "Terrain",
     "Trace",
     "Uncertainty",
     "VelocityProfile",

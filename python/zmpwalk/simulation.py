@@ -22,8 +22,9 @@ from .errors import InputError
 from .given import Settings, settings_of
 from .motion import JointMotion
 from .profiles import Profile, VelocityProfile, profile_of, three
-from .robots import Robot, RobotDescription, describe, description_to_dict, load_robot
+from .robots import Robot, RobotDescription, describe, description_to_dict
 from .robots.load import read_robot
+from .terrain import Terrain, TerrainLike, load_scene
 from .trace import Trace, model_bytes, plain
 
 __all__ = ["Recorder", "WalkingController", "simulate", "simulate_batch"]
@@ -245,6 +246,7 @@ def simulate(
     on_fall: str = "stop",
     uncertainty: Uncertainty | Mapping[str, Any] | None = None,
     simulated: Robot | None = None,
+    terrain: TerrainLike | None = None,
 ) -> Trace:
     """Walk a robot in MuJoCo, wholly in C++, and return what was recorded.
 
@@ -276,6 +278,8 @@ def simulate(
         uncertainty: what the controller does not know, or not in time: an `Uncertainty`, or a dictionary of its fields.
         simulated: the robot that is simulated, where it is not the one that the controller knows: it must have the
             bodies that the description names, and the same joints in the same order. `uncertainty` changes this one.
+        terrain: ground in place of the floor of the robot's scene: a `Terrain` or a text such as "slope:5",
+            "blocks:2,7" or "stairs:12x28" (`Terrain.of`). The controller is not told.
 
     Returns:
         The trace, one row per control cycle.
@@ -289,13 +293,14 @@ def simulate(
         `zmpwalk.simulate(profile=0.0, command=lambda t, out: (0.2, 0.0, 0.3 - out.heading))`
         `zmpwalk.simulate(duration=12, push=[(4.0, 0.08, None, (0, 100, 0))], on_fall="go_on")`
         `zmpwalk.simulate(uncertainty={"noise": 1, "torque_delay": 0.004}, seed=3)`
+        `zmpwalk.simulate(profile=0.25, terrain="blocks:1", duration=30)`
     """
-    model, description = load_robot(robot)
+    model, description = load_scene(robot, terrain)
     controller = WalkingController(model, description, settings, profile)
     controller.move(motion)
     for task in tasks:
         controller.add(task)
-    outside = Outside.of(controller, seed, push, on_fall, uncertainty, simulated)
+    outside = Outside.of(controller, seed, push, on_fall, uncertainty, simulated, terrain)
     return run(controller, duration, on_progress, seed, name_of(robot), command, outside=outside)
 
 
@@ -334,10 +339,10 @@ def simulate_batch(
         for name in given:
             if name not in known:
                 raise InputError(f"run {i} has '{name}'; a run has only {', '.join(known)}")
-        robot = given.get("robot", "mahru")
-        key = robot if isinstance(robot, (str, os.PathLike)) else id(robot)
+        robot, terrain = given.get("robot", "mahru"), given.get("terrain")
+        key = (robot if isinstance(robot, (str, os.PathLike)) else id(robot), terrain and Terrain.of(terrain).text)
         if key not in robots:
-            robots[key] = load_robot(robot)
+            robots[key] = load_scene(robot, terrain)
         controller = WalkingController(*robots[key], given.get("settings"), given.get("profile"))
         controller.move(given.get("motion"))
         for task in given.get("tasks", ()):
@@ -345,7 +350,7 @@ def simulate_batch(
         duration, seed = check_duration(given.get("duration", 8.0)), _check_seed(given.get("seed", 0))
         outside = Outside.of(
             controller, seed, given.get("push", ()), given.get("on_fall", "stop"), given.get("uncertainty"),
-            given.get("simulated"),
+            given.get("simulated"), terrain,
         )  # fmt: skip
         outside.simulation(controller)  # what is wrong with it is said before the first walk begins
         jobs.append((controller, duration, seed, name_of(robot), given.get("command"), outside))
@@ -431,6 +436,7 @@ class Outside:
     simulated: mujoco.MjModel | None = None
     """in truth, `uncertainty` included; None where it is the controller's model"""
     seed: int = 0
+    terrain: str | None = None
 
     @classmethod
     def of(
@@ -441,18 +447,22 @@ class Outside:
         on_fall: str = "stop",
         uncertainty: Uncertainty | Mapping[str, Any] | None = None,
         simulated: Robot | None = None,
+        terrain: TerrainLike | None = None,
     ) -> Outside:
         """From the arguments of `simulate`, checked as far as can be without a simulation."""
         if on_fall not in ON_FALL:
             raise InputError(f"on_fall is {on_fall!r}; it must be {' or '.join(ON_FALL)}")
         pushes = [each._replace(body=each.body or _core.trunk_body(controller)) for each in pushes_of(push)]
         unsure = uncertainty_of(uncertainty)
-        model = None if simulated is None else read_robot(simulated)[0]
+        model = None
+        if simulated is not None:
+            model = read_robot(simulated)[0] if terrain is None else load_scene(simulated, terrain)[0]
         if unsure.changes_model:
             known = controller.model if model is None else model
             foot = mujoco.mj_name2id(known, mujoco.mjtObj.mjOBJ_BODY, controller.description.left.body)
             model = unsure.changed(known, int(known.body_rootid[max(foot, 0)]), _check_seed(seed))
-        return cls(pushes, on_fall, unsure, model, _check_seed(seed))
+        ground = None if terrain is None else Terrain.of(terrain).text
+        return cls(pushes, on_fall, unsure, model, _check_seed(seed), ground)
 
     @classmethod
     def again(cls, trace: Trace) -> Outside:
@@ -460,7 +470,7 @@ class Outside:
         meta = trace.meta
         return cls(
             pushes_of(meta.get("push", ())), meta.get("on_fall", "stop"), uncertainty_of(meta.get("uncertainty")),
-            trace.simulated_model if meta.get("simulated_sha256") else None, meta.get("seed", 0),
+            trace.simulated_model if meta.get("simulated_sha256") else None, meta.get("seed", 0), meta.get("terrain"),
         )  # fmt: skip
 
     def simulation(self, controller: WalkingController) -> _core.Simulation:
@@ -478,6 +488,7 @@ class Outside:
             "on_fall": self.on_fall,
             "uncertainty": self.uncertainty.to_dict(),
             "simulated_sha256": sha,
+            "terrain": self.terrain,
         }
 
 

@@ -15,7 +15,7 @@ FLOORS = [
     ["errors", "_build", "_columns", "_core"],
     ["files", "analysis", "settings"],
     ["_adapters", "profiles", "motion", "given", "robots", "disturbances"],
-    ["_check_mujoco", "tasks", "verdict"],
+    ["_check_mujoco", "tasks", "terrain", "verdict"],
     ["trace"],
     ["simulation"],
     ["waypoints", "bench", "render", "capture", "trials"],

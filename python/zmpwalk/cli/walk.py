@@ -16,6 +16,7 @@ from ..motion import JointMotion
 from ..profiles import profile_of
 from ..robots import examine
 from ..simulation import ON_FALL, Outside, WalkingController, check_duration, run
+from ..terrain import load_scene
 from ..trace import Trace
 from .options import unsure, walk_options
 from .terminal import FELL, INTERRUPTED, STOOD, Progress, new_console, number
@@ -46,6 +47,12 @@ MISMATCH = 0.002  # feet off the planned velocity by this are worth a warning [m
     "may be repeated.",
 )
 @click.option("--simulated", help="The robot that is simulated, where the controller's --robot is not the true one.")
+@click.option(
+    "--terrain",
+    metavar="GROUND",
+    help="Ground in place of the floor: flat, slope:DEG[,AZIMUTH], blocks:CM[,SEED], plates:DEG[,SEED], step:CM[,AT], "
+    "stairs:RISExTREAD (cm), waves[:CM], soft:SECONDS. The controller is not told.",
+)
 @click.option("--seed", type=int, default=0, show_default=True, help="Of all that is random.")
 @click.option(
     "--on-fall",
@@ -68,6 +75,7 @@ def command(
     push: tuple[str, ...],
     uncertain: tuple[str, ...],
     simulated: str | None,
+    terrain: str | None,
     seed: int,
     on_fall: str,
     out: Path | None,
@@ -79,10 +87,12 @@ def command(
     velocity = profile_of(profile)
     duration = check_duration(duration)
     model, found = examine(robot)
+    if terrain is not None:
+        model, _ = load_scene(robot, terrain)
     name = robot if robot.isidentifier() else found.description.name
     controller = WalkingController(model, found.description, settings, velocity)
     controller.move(None if motion is None else JointMotion.from_csv(motion))
-    outside = Outside.of(controller, seed, push, on_fall, unsure(uncertain), simulated)
+    outside = Outside.of(controller, seed, push, on_fall, unsure(uncertain), simulated, terrain)
     outside.simulation(controller)
     mismatch = controller.plan_mismatch(duration)
     out = out or Path("out") / f"{name}-{settings.law}"
