@@ -20,6 +20,13 @@ RobotDescription with_limits(RobotDescription description, const std::map<std::s
 
 double whole_fraction(const WalkSettings& s) { return std::max(s.zmp.whole_fraction, s.zmp.sole_fraction); }
 
+/// Where the measured wrench presses the sole, in its axes [m]; NaN where it is not known or the foot hardly touches.
+Vec2 pressed_at(const FrameState& sole, const Vec6& wrench) {
+  const Vec3 F = sole.R_WF.transpose() * wrench.head<3>(), M = sole.R_WF.transpose() * wrench.tail<3>();
+  if (!(std::abs(F.z()) >= kMinNormalForce)) return Vec2::Constant(kNaN);
+  return zmp_of_wrench(F, M);
+}
+
 double top_speed(const VelocityProfile& profile) {
   double top = 0.0;
   for (const Vec3& v : profile.v()) top = std::max(top, v.x());
@@ -39,6 +46,7 @@ WalkingController::WalkingController(const Model& model, const RobotDescription&
       whole_{bounds_of(robot_, kLeft, settings_, whole_fraction(settings_)),
              bounds_of(robot_, kRight, settings_, whole_fraction(settings_))},
       height_(height_over_soles(robot_.dynamics()), robot_.dynamics().gravity.norm(), settings_),
+      ground_(settings_, height_.z_c(), height_.pendulum().Tc()),
       gait_(settings_, profile_, sole_, bounds_, whole_),
       reach_(robot_, settings_, gait_.cadence()),
       tracker_(settings_.tracking),
@@ -76,6 +84,7 @@ WalkingController::WalkingController(const Model& model, const RobotDescription&
   reference_.set_pendulum(height_.pendulum());
   const Dynamics& dyn = robot_.dynamics();
   height_.reset(height_.z_c(), dyn.com.z() - height_.z_c());
+  ground_.reset(height_.ground());
   start_ = gait_input(0.0, dyn.com.head<2>(), dyn.dcom.head<2>());
   require_startable();
 }
@@ -91,8 +100,10 @@ GaitInput WalkingController::gait_input(double t, const Vec2& com, const Vec2& d
   in.R_sole = {left.R_WF, right.R_WF};
   in.catch_up = tracker_.catch_up(gait_.output().orbit_ahead);
   in.behind = gait_.output().orbit_ahead - tracker_.integral();
-  // A foot that feels the ground lands at the height of the stance foot, not at that of the ground at the start.
-  if (settings_.gait.touch_down == TouchDown::kTime) in.ground = height_.ground();
+  // On uneven ground a foot lands at the height of the stance foot, as far as is known.
+  in.uneven = ground_.uneven();
+  if (settings_.gait.touch_down != TouchDown::kContact && !in.uneven) in.ground = ground_.height();
+  in.omega_sole = {left.velocity.tail<3>(), right.velocity.tail<3>()};
   return in;
 }
 
@@ -197,6 +208,7 @@ void WalkingController::start() {
   const Dynamics& dyn = robot_.dynamics();
   const double z_c = height_over_soles(dyn);
   height_.reset(z_c, dyn.com.z() - z_c);
+  ground_.reset(height_.ground());
   reference_.set_pendulum(height_.pendulum());
   com_des_ = dyn.com.head<2>();
   dcom_des_ = dyn.dcom.head<2>();
@@ -256,8 +268,7 @@ const CycleOutput& WalkingController::update(const Data& data, Terms terms, cons
       robot_.read(state_);
     static_cast<Sensed&>(state_) = sensed;
     // Contacts that the caller does not know are read from the last step. They are gone where mj_step1 has run.
-    if (settings_.gait.touch_down == TouchDown::kContact && terms == Terms::kCompute)
-      feel(measure_contact(robot_, data));
+    if (settings_.gait.touch_down != TouchDown::kTime && terms == Terms::kCompute) feel(measure_contact(robot_, data));
     cycle(state_);
   } else {
     clock_.hold(state_.time);
@@ -306,7 +317,13 @@ void WalkingController::cycle(const State& state) {
   if (Vec3 live; mailbox_.take(live) && live != out_.command) gait_.command(out_.command = live);
   GaitInput in = gait_input(t, com + forced.shift, dcom);
   in.contact << state.contact[kLeft], state.contact[kRight];
+  if (settings_.gait.touch_down == TouchDown::kFelt)
+    for (const Side side : kSides) {
+      in.cop[side] = pressed_at(dyn.sole[side], state.wrench[side]);
+      in.cop_expected[side] = pressed_at(dyn.sole[side], out_.f_c.segment<6>(6 * side));
+    }
   const GaitOutput& gait = gait_.update(in);
+  ground_.update(gait, dyn);
   if (height_.update(t, gait.stretch, gait_.plan(), reach_, gait_.cadence().slow.period())) follow_pendulum();
   const Cycle cycle = cycle_of(t, dyn, gait, height_.pendulum(), com, dcom, forced.shift);
 
@@ -349,9 +366,9 @@ void WalkingController::command_tasks(const Cycle& cycle) {
   const GaitOutput& gait = *cycle.gait;
   const int n = dyn.joints();
   const MotionReference& ref = body_.reference();
-  com_task_.p.z() = height_.z();
-  com_task_.v.z() = height_.dz();
-  com_task_.a.z() = height_.ddz();
+  com_task_.p.z() = height_.z() + (ground_.height() - height_.ground());
+  com_task_.v.z() = height_.dz() + ground_.drise();
+  com_task_.a.z() = height_.ddz() + ground_.ddrise();
   f_star_.com.z() = com_task_.acceleration(dyn).z();
   trunk_task_.turn = turning(body_.at(n), body_.at(n + 1), body_.at(n + 2));
   Mat3 R_WH = Mat3::Identity();
@@ -406,8 +423,8 @@ void WalkingController::decide_reference(const Cycle& cycle) {
   out_.zmp_slope = r.zmp_slope;
   out_.zmp_modified = r.modified;
   out_.iterations = r.iterations;
-  out_.com_des << com_des_, height_.z();
-  out_.dcom_des << dcom_des_, height_.dz();
+  out_.com_des << com_des_, com_task_.p.z();
+  out_.dcom_des << dcom_des_, com_task_.v.z();
   out_.v_des << cycle.R_WH.transpose() * dcom_des_, gait.v_plan.z();
   if (gait.at_rest)
     tracker_.reset();
@@ -464,6 +481,8 @@ void WalkingController::note(const Cycle& cycle) {
   out_.support = static_cast<int>(side_sign(gait.support));
   out_.step = gait.phase.step;
   out_.phase_time = gait.phase.time;
+  out_.ground = ground_.height();
+  out_.uneven = ground_.uneven();
   out_.w_T = gait.w_T;
   out_.foothold << gait.foothold.p, gait.foothold.yaw;
   out_.zmp_lower = cycle.to_W(gait.room.lower);

@@ -28,6 +28,12 @@ struct GaitInput {
   /// into a soft contact.
   double ground = kNaN;
   Vec2 contact = Vec2::Constant(kNaN);  ///< whether each foot touches the ground: 1 yes, 0 no, NaN unknown
+  bool uneven = false;                  ///< the ground has been felt to be uneven
+  /// Where the wrench of each foot presses its sole, in the sole's axes (2,) [m]: as it is measured, and as the last torque should have had it. NaN where
+  /// that is not known, or the foot hardly touches.
+  std::array<Vec2, 2> cop{Vec2::Constant(kNaN), Vec2::Constant(kNaN)};
+  std::array<Vec2, 2> cop_expected{Vec2::Constant(kNaN), Vec2::Constant(kNaN)};
+  std::array<Vec3, 2> omega_sole{Vec3::Zero(), Vec3::Zero()};  ///< angular velocity of the soles, W [rad/s]
 };
 
 /// The place of a sole with centre `p` and axes `R`.
@@ -64,6 +70,7 @@ struct GaitOutput {
   Foothold foothold;  ///< where the swing foot is to land, W; NaN in double support
   double stretch =
       0.0;  ///< largest distance along the ground of an ankle from below its hip, around this double support or the next [m]
+  bool off_time = false;     ///< the swing foot has met the ground off its planned time, in this cycle
   SwingTarget swing_target;  ///< desired motion of the swing sole; it has a meaning in single support only
 };
 
@@ -119,6 +126,8 @@ class GaitGenerator {
   Began begin_phase(const GaitInput& in);  // what begins with this cycle
   void begin_walk(const GaitInput& in);
   bool has_landed(const GaitInput& in);
+  bool is_felt(const GaitInput& in, bool due);  // the landing, where touch_down is "felt"
+  void mind_footing(const GaitInput& in);       // a sole that tips over an edge of the ground gives up what is beyond
   void move_swing_foot(const GaitInput& in);
   void move_ahead(const GaitInput& in);
   void move_sideways(const GaitInput& in);
@@ -190,6 +199,15 @@ class GaitGenerator {
     kOverdue    // the foot met no ground where it should have, and goes on down
   };
   Swing swing_ = Swing::kLifting;
+  struct Footing {
+    bool found = false;  // it belongs to this stance
+    ZmpBounds carries{Vec2::Constant(-1.0),
+                      Vec2::Constant(1.0)};  // what has been found to carry, in the sole's axes [m]
+    Vec2 tips_up = Vec2::Zero(),
+         tips_down = Vec2::Zero();  // how long the sole has tipped along an axis, and against it [s]
+  };
+  Footing footing_;                         // of the support sole
+  Side footed_ = kLeft;                     // that sole
   std::array<bool, 2> felt_{false, false};  // whether the contact of each foot has been measured in this walk
   double period_ = 0.0;                     // period of the step after this one [s]
   Vec3 command_, allowance_;

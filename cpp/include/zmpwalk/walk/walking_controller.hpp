@@ -24,6 +24,7 @@
 #include "zmpwalk/walk/control_clock.hpp"
 #include "zmpwalk/walk/cycle.hpp"
 #include "zmpwalk/walk/fall_watch.hpp"
+#include "zmpwalk/walk/felt_ground.hpp"
 #include "zmpwalk/walk/leg_reach.hpp"
 #include "zmpwalk/walk/observer.hpp"
 #include "zmpwalk/walk/record.hpp"
@@ -156,6 +157,7 @@ class WalkingController {
   WalkSettings settings_;
   std::array<ZmpBounds, 2> bounds_, whole_;  // usual, and when pushed
   ComHeight height_;
+  FeltGround ground_;
   GaitGenerator gait_;
   LegReach reach_;
   VelocityTracker tracker_;
