@@ -125,12 +125,14 @@ def figure(speed=0.6, seconds=2.0):
         for side, name, colour in ((0, "left", plot.ESTIMATED), (1, "right", plot.MEASURED)):
             angle = np.degrees(shoulders(trace)[shown, side])
             below.plot(trace.t[shown] - YAW_START, angle, color=colour, label=f"{name} shoulder")
-        above.set_ylabel("yaw moment of the ground [N m]")
+        above.set_ylabel("yaw moment of\nthe ground [N m]")
         below.set(ylabel="shoulder pitch [°]", xlabel="time [s]", xlim=(0, seconds))
         for axes in (above, below):
-            axes.margins(y=0.2)
-            axes.legend(loc="upper right", ncols=2)
-        above.set_title(f"Walking at {speed:g} m/s", loc="left", fontsize=9)
+            axes.margins(y=0.1)
+            axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=2, borderaxespad=0.2)
+        drawing.align_ylabels([above, below])
+        text = f"What arms do for the feet: walking at {speed:g} m/s"
+        drawing.suptitle(text, x=0.012, ha="left", fontsize=10, fontweight="bold")
     return drawing
 
 

@@ -297,6 +297,7 @@ def other_robots(run, robots):
 def ladder_figure(lines):
     """Estimate error and torque over the speed, read from the ladder's table."""
     rows = [[cell.strip(" *") for cell in line.split("|")[1:-1]] for line in lines]
+    falls = [float(row[0]) for row in rows if len(row) > 1 and row[1].startswith("falls")]
     rows = [row for row in rows if len(row) > 1 and row[1] == "walks" and abs(float(row[2])) <= LARGEST_SPEED_ERROR]
     speed, torque = ([float(row[k]) for row in rows] for k in (0, 6))
     p95 = np.array([[float(x) for x in row[4].split("/")] for row in rows])
@@ -305,12 +306,26 @@ def ladder_figure(lines):
         above, below = drawing.subplots(2, 1, sharex=True)
         for k, (axis, colour) in enumerate((("forward", plot.ESTIMATED), ("sideways", plot.MEASURED))):
             above.plot(speed, p95[:, k], "o-", color=colour, ms=4, label=axis)
-        above.plot(list(LADDER), list(LADDER.values()), "_", color=plot.FAINT, ms=16, mew=2, label="asked for")
+        above.plot(
+            list(LADDER), list(LADDER.values()), "_", color=plot.FAINT, ms=16, mew=2, label="error that is allowed"
+        )
         above.set(ylabel="estimate − CoP,\n95th percentile [mm]", ylim=(0, None))
-        above.legend(loc="upper left")
         below.plot(speed, torque, "o-", color=plot.DESIRED, ms=4)
         below.axhline(100, color=plot.FAINT, lw=1.2)
-        below.set(ylabel="largest torque\n[% of its limit]", xlabel="speed [m/s]", ylim=(0, 110))
+        for axes in (above, below):
+            for v in falls:
+                axes.axvline(v, color="black", ls="--", lw=1.0, label="falls" if v == falls[0] else "_")
+        for v in falls:
+            below.annotate(f"falls at {v:g} m/s", (v, 8), (-4, 0), textcoords="offset points", ha="right", fontsize=8)
+        below.annotate("limit of the torque", (min(LADDER), 100), (0, -9), textcoords="offset points", fontsize=8)
+        below.set(
+            ylabel="largest torque\n[% of its limit]",
+            xlabel="speed [m/s]",
+            ylim=(0, 112),
+            xlim=(min(LADDER) - 0.02, None),
+        )
+        above.legend(loc="upper left")
+        drawing.suptitle("Faster until the robot falls", x=0.012, ha="left", fontsize=10, fontweight="bold")
     return drawing
 
 

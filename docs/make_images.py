@@ -1,26 +1,82 @@
-"""Draws the pictures of the README and the mixed walk of `walk_anywhere.md`: `python docs/make_images.py`."""
+"""Draws the pictures of the README and the mixed walk of `walk_anywhere.md`: `python docs/make_images.py`.
 
+`--only NAME` draws one: estimate, walk, sagittal or mixed.
+"""
+
+import argparse
 import sys
 from pathlib import Path
 
-import numpy as np
+import matplotlib
 import zmpwalk
-from matplotlib.image import imsave
-from zmpwalk import plot, render
+from matplotlib.figure import Figure
+from zmpwalk import analysis, plot, render
 
 sys.path.append(str(Path(__file__).parents[1] / "benchmarks"))
 import walk_anywhere
 
 IMAGES = Path(__file__).parent / "images"
-TIMES = (0.4, 2.0, 4.9, 5.3)  # standing, first steps, walking
+TIMES = {0.4: "stands on the left foot", 2.0: "first steps", 4.9: "both feet down", 5.3: "swings a leg"}
+# What the script of the mixed walk does from one instant to the next [s].
+LEGS = {
+    (0.0, 15.5): "0 to 15 s: forward, then in a curve to the left",
+    (15.5, 29.0): "15 to 29 s: to the left, then turning on the spot",
+    (29.0, 40.7): "29 to 41 s: backward, then turning on the spot",
+    (40.7, 60.0): "41 to 60 s: to the right, then all at once",
+}
+
+
+def estimate(trace: zmpwalk.Trace) -> Figure:
+    """The headline."""
+    return plot.estimate(trace)
+
+
+def sagittal(trace: zmpwalk.Trace) -> Figure:
+    """COM and ZMP over time."""
+    return plot.sagittal(trace)
+
+
+def walk(trace: zmpwalk.Trace) -> Figure:
+    """Four instants of the walk side by side, each under its time."""
+    with matplotlib.rc_context(plot.STYLE):
+        figure = plot.WalkFigure(figsize=(10.0, 3.3))
+        for i, (t, word) in enumerate(TIMES.items()):
+            ax = figure.add_axes((0.25 * i, 0.0, 0.248, 0.92))
+            ax.imshow(render.snapshot(trace, t=t, width=400, height=480), aspect="auto")
+            ax.set_axis_off()
+            figure.text(0.25 * i + 0.006, 0.94, f"{t:g} s: {word}", fontsize=9)
+    return figure
+
+
+def mixed(trace: zmpwalk.Trace) -> Figure:
+    """Sixty seconds from above, in four parts over the path that the commands lead."""
+    path = analysis.planned_path(trace)[:, :2]
+    low, high = path.min(axis=0) - 0.35, path.max(axis=0) + 0.35
+    with matplotlib.rc_context(plot.STYLE):
+        figure = plot.WalkFigure(figsize=(10.0, 8.1), layout="constrained")
+        for i, (ax, ((start, end), words)) in enumerate(zip(figure.subplots(2, 2).ravel(), LEGS.items())):
+            ax.plot(*path.T, color=plot.PLANNED, lw=0.8, ls=":", zorder=0)
+            plot.footprints(trace, start, end, ax=ax)
+            handles, labels = ax.get_legend_handles_labels()
+            ax.get_legend().remove()
+            ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
+            ax.set_title(words, loc="left", fontsize=9)
+            if i == 0:
+                shown = [k for k, label in enumerate(labels) if not label.startswith(("start", "end"))]
+                figure.legend([handles[k] for k in shown], [labels[k] for k in shown], loc="outside upper left", ncol=6)
+    return figure
 
 
 def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--only", choices=("estimate", "walk", "sagittal", "mixed"), help="one picture")
+    only = parser.parse_args().only
     trace = zmpwalk.simulate("mahru", duration=8.0)
-    frames = [render.snapshot(trace, t=t, width=400, height=480) for t in TIMES]
-    imsave(IMAGES / "walk.png", np.concatenate(frames, axis=1))
-    plot.sagittal(trace).savefig(IMAGES / "sagittal.png", dpi=100)
-    plot.footprints(zmpwalk.simulate(**walk_anywhere.mixed())).savefig(IMAGES / "mixed.png", dpi=100)
+    for draw in (estimate, walk, sagittal):
+        if only in (None, draw.__name__):
+            draw(trace).savefig(IMAGES / f"{draw.__name__}.png", dpi=160 if draw is walk else 110)
+    if only in (None, "mixed"):
+        mixed(zmpwalk.simulate(**walk_anywhere.mixed())).savefig(IMAGES / "mixed.png", dpi=100)
 
 
 if __name__ == "__main__":

@@ -14,7 +14,7 @@ import os
 import sys
 from importlib import import_module
 from types import ModuleType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ._check_mujoco import installed_mujoco as _installed_mujoco
 from ._check_mujoco import load_mujoco as _load_mujoco
@@ -32,7 +32,7 @@ except VersionError as error:
         raise SystemExit(2) from None
     raise
 
-from . import analysis, errors, pushes, simulation, trace, troubles
+from . import analysis, errors, pushes, shown, simulation, sweeps, trace, troubles
 from ._build import VERSION as __version__
 from ._core import (
     Contact,
@@ -75,6 +75,7 @@ from .robots import (
 )
 from .settings import load_settings, settings_toml
 from .simulation import Recorder, WalkingController, simulate, simulate_batch
+from .sweeps import Sweep, sweep
 from .tasks import FrameTask, JointTask, MomentumTask
 from .terrain import Patch, Terrain
 from .trace import Trace
@@ -109,6 +110,7 @@ __all__ = [
     "RobotDescription",
     "Robustness",
     "State",
+    "Sweep",
     "TaskAccelerations",
     "TaskSpace",
     "Terrain",
@@ -147,6 +149,7 @@ __all__ = [
     "simulate",
     "simulate_batch",
     "solve_reference",
+    "sweep",
     "view",
     "walk_to",
     "zmp_on_plane",
@@ -160,30 +163,49 @@ def _plot(*arguments: Any, **options: Any) -> Any:
     return plot.draw(*arguments, **options)
 
 
-def _plot_pushes(push_map: PushMap) -> Any:
+def _plot_pushes(push_map: PushMap, axes: Any = None) -> Any:
     """`PushMap.plot`."""
     from . import plot
 
-    return plot.pushes(push_map)
+    return plot.pushes(push_map, axes)
 
 
-def _plot_robustness(found: Robustness) -> Any:
+def _plot_robustness(found: Robustness, axes: Any = None) -> Any:
     """`Robustness.plot`."""
     from . import plot
 
-    return plot.robustness(found)
+    return plot.robustness(found, axes)
 
 
-trace.ABOVE.update(plot=_plot, rerun=simulation.rerun)
+def _plot_sweep(found: Sweep, y: Any, x: Any = None, axes: Any = None) -> Any:
+    """`Sweep.plot`."""
+    from . import plot
+
+    return plot.sweep(found, y, x, axes)
+
+
+def _video(*arguments: Any, **options: Any) -> Any:
+    """`Trace.video`."""
+    from . import render
+
+    return render.film(*arguments, **options)
+
+
+trace.ABOVE.update(plot=_plot, rerun=simulation.rerun, video=_video)
 pushes.ABOVE.update(plot=_plot_pushes)
 troubles.ABOVE.update(plot=_plot_robustness)
+sweeps.ABOVE.update(plot=_plot_sweep)
+shown.show_values()
 
+if TYPE_CHECKING:  # so that type checkers know what these hold
+    from . import plot, render, view
+else:
 
-def __getattr__(name: str) -> ModuleType:
-    """Imports a module that is slow to import when it is first asked for."""
-    if name in ("plot", "render", "view"):
-        return import_module(f".{name}", __name__)
-    raise AttributeError(f"module 'zmpwalk' has no attribute '{name}'")
+    def __getattr__(name: str) -> ModuleType:
+        """Imports a module that is slow to import when it is first asked for."""
+        if name in ("plot", "render", "view"):
+            return import_module(f".{name}", __name__)
+        raise AttributeError(f"module 'zmpwalk' has no attribute '{name}'")
 
 
 def __dir__() -> list[str]:

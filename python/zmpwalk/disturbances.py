@@ -23,6 +23,7 @@ JOINT_SPEED = 0.02  # [rad/s]
 GYRO = math.radians(0.5)  # [rad/s]
 ATTITUDE = math.radians(0.5)  # about each axis of the base [rad]
 BASE_SPEED = 0.03  # along each axis [m/s]
+PUSH_DURATION = 0.08  # of a push that is given by its impulse [s]
 
 
 class Push(NamedTuple):
@@ -38,25 +39,45 @@ class Push(NamedTuple):
     body: str | None
     force: Sequence[float]
 
+    @classmethod
+    def impulse(
+        cls, t: float, impulse: Sequence[float], duration: float = PUSH_DURATION, body: str | None = None
+    ) -> Push:
+        """The push that gives an impulse (jx, jy, jz) [N s] within `duration`: a force of `impulse / duration`.
 
-Pushes = Iterable[Union[Push, Tuple[float, float, Optional[str], Sequence[float]], str]]
+        Divided by the robot's mass it is the change of the COM's velocity that the push causes.
+
+        Raises:
+            InputError: `duration` is not positive.
+
+        Usage: `zmpwalk.simulate(push=zmpwalk.Push.impulse(4.0, (0, 20, 0)))`
+        """
+        if not (math.isfinite(duration) and duration > 0.0):
+            raise InputError(f"duration is {duration:g} s; it must be positive and finite")
+        return cls(t, duration, body, tuple(float(value) / duration for value in impulse))
+
+
+OnePush = Union[Push, Tuple[float, float, Optional[str], Sequence[float]], str]
+Pushes = Union[OnePush, Iterable[OnePush]]
 
 
 def pushes_of(push: Pushes) -> list[Push]:
     """The pushes that were given in one of these forms.
 
     Args:
-        push: of (t, duration, body, force), or of texts "T:DURATION:BODY:FX,FY,FZ" whose BODY may be empty; three more
-            numbers are a torque.
+        push: one or several, each (t, duration, body, force), or a text "T:DURATION:BODY:FX,FY,FZ" whose BODY may be
+            empty; three more numbers are a torque.
 
     Raises:
         InputError: something else. Whether the numbers make sense and the body exists, the simulation says.
 
     Usage: `pushes_of([(3.0, 0.08, "torso", (0, 50, 0)), "5:0.08::100,0,0"])`
     """
-    if isinstance(push, str):
-        push = [push]
-    return [_push_of(each) for each in push]
+    given: Any = push
+    alone = isinstance(given, (str, Push)) or (
+        isinstance(given, tuple) and len(given) == 4 and isinstance(given[0], (int, float))
+    )  # fmt: skip
+    return [_push_of(each) for each in ([given] if alone else given)]
 
 
 def _push_of(push: Any) -> Push:

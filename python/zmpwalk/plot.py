@@ -1,7 +1,8 @@
-"""Draws the paper's figures and the walk from above, each from a Trace alone.
+"""Draws how true the estimate was, the paper's figures and the walk from above, each from a Trace alone.
 
 Every function takes a trace and returns a matplotlib Figure; a notebook shows it, `save_all` writes them all. What the
-colours mean, and the drawing itself, is in `zmpwalk.figures`.
+colours mean, and the drawing itself, is in `zmpwalk.figures`. Every one draws on axes of yours, `ax=` or `axes=`, and
+`compare` draws several walks over one another.
 """
 
 from __future__ import annotations
@@ -14,12 +15,15 @@ from matplotlib.figure import Figure
 
 from .errors import InputError
 from .figures import FILES
+from .figures.compare import COMPARED, compare
+from .figures.estimate import estimate
 from .figures.footprints import footprints
 from .figures.iteration import iteration
 from .figures.position import lateral, sagittal
 from .figures.pushes import pushes
 from .figures.robustness import robustness
 from .figures.style import BOUND, COM, DESIRED, ESTIMATED, FAINT, MEASURED, PLANNED, SOLE, STYLE, WIDTH, WalkFigure
+from .figures.sweep import sweep
 from .figures.switch import switch
 from .figures.velocity import tracking, velocity
 from .files import whole
@@ -28,6 +32,7 @@ from .trace import Trace
 __all__ = [
     "BOUND",
     "COM",
+    "COMPARED",
     "DESIRED",
     "ESTIMATED",
     "FAINT",
@@ -39,7 +44,9 @@ __all__ = [
     "STYLE",
     "WIDTH",
     "WalkFigure",
+    "compare",
     "draw",
+    "estimate",
     "figure_function",
     "footprints",
     "iteration",
@@ -48,13 +55,15 @@ __all__ = [
     "robustness",
     "sagittal",
     "save_all",
+    "sweep",
     "switch",
     "tracking",
     "velocity",
 ]
 
 FIGURES: dict[str, Callable[..., Figure]] = {
-    function.__name__: function for function in (iteration, tracking, switch, velocity, sagittal, lateral, footprints)
+    function.__name__: function
+    for function in (estimate, iteration, tracking, switch, velocity, sagittal, lateral, footprints)
 }
 
 
@@ -95,8 +104,8 @@ def save_all(
         dpi: dots per inch of a png.
 
     Returns:
-        The files: fig2_iteration.png, fig4_tracking.png, fig5_switch.png, fig6_velocity.png, fig7_sagittal.png,
-        fig8_lateral.png, footprints.png.
+        The files: estimate.png, fig2_iteration.png, fig4_tracking.png, fig5_switch.png, fig6_velocity.png,
+        fig7_sagittal.png, fig8_lateral.png, footprints.png.
 
     Raises:
         InputError: no figure of that name.  OSError: the folder cannot be written.

@@ -129,15 +129,18 @@ class PushMap:
         """
         return write_table(path, [{key: _short(value) for key, value in row.items()} for row in self.rows()])
 
-    def plot(self) -> Any:
+    def plot(self, axes: Any = None) -> Any:
         """A polar figure for each phase, with the pendulum's limit beside.
+
+        Args:
+            axes: a polar Axes for each phase, or None for a figure of its own.
 
         Returns:
             A matplotlib Figure, which a notebook shows.
 
         Usage: `push_map().plot().savefig("pushes.png")`
         """
-        return ABOVE["plot"](self)
+        return ABOVE["plot"](self, axes)
 
     def to_dict(self) -> dict[str, Any]:
         """Plain numbers and words that JSON can hold; NaN becomes None."""

@@ -6,10 +6,12 @@ with a display, glfw that works.
 
 from __future__ import annotations
 
+import base64
 import ctypes.util
 import importlib
 import os
 import sys
+import tempfile
 from pathlib import Path
 from typing import Any, Callable, Mapping, Sequence, Union
 
@@ -22,7 +24,7 @@ from .files import whole
 from .simulation import set_state
 from .trace import Trace
 
-__all__ = ["OffScreen", "picture", "snapshot", "video"]
+__all__ = ["Film", "OffScreen", "film", "picture", "snapshot", "video"]
 
 LIBRARIES = {"egl": "EGL", "osmesa": "OSMesa", "glfw": "GL"}
 MARKS = {"com": (0.0, 0.0, 0.0, 1.0), "zmp_est": (0.84, 0.37, 0.0, 1.0)}  # colours as in `plot`
@@ -31,6 +33,7 @@ AZIMUTH, ELEVATION, FILLED = (
     -12.0,
     0.75,
 )  # default view: from ahead and the right [deg], share of the height filled
+PUSH_COLOUR, PUSH_SHOWN, ARROW = (0.8, 0.1, 0.5, 1.0), 0.25, 0.9  # at least [s]; length for a force of one weight [z_c]
 STRIDE = 6.0  # of time constants sqrt(z_c / g): about two steps
 GRAVITY = 9.81  # only for that [m/s^2]
 
@@ -60,13 +63,16 @@ class Scene:
         view: mujoco.MjvCamera,
         marks: Sequence[Mapping[str, Any]] = (),
         words: Mapping[str, Any] | None = None,
+        arrows: Sequence[Mapping[str, Any]] = (),
     ) -> None:
-        """Draw into the current buffer; `marks` and `words` as in `OffScreen.draw`."""
+        """Draw into the current buffer; `marks`, `words` and `arrows` as in `OffScreen.draw`."""
         mujoco.mjv_updateScene(
             self._model, data, self._option, None, view, mujoco.mjtCatBit.mjCAT_ALL.value, self._scene
         )
         for mark in marks:
             self._cross(np.asarray(mark["pos"], float), float(mark["arm"]), np.asarray(mark["rgba"], np.float32))
+        for arrow in arrows:
+            self._arrow(np.asarray(arrow["to"], float), np.asarray(arrow["along"], float))
         mujoco.mjr_render(viewport, self._scene, self._context)
         if words:
             place, font = mujoco.mjtGridPos.mjGRID_TOPLEFT, mujoco.mjtFont.mjFONT_NORMAL
@@ -82,6 +88,19 @@ class Scene:
                 box, upright = mujoco.mjtGeom.mjGEOM_BOX, np.eye(3).ravel()
                 mujoco.mjv_initGeom(self._scene.geoms[self._scene.ngeom], box, size, centre, upright, rgba)
                 self._scene.ngeom += 1
+
+    def _arrow(self, end: np.ndarray, along: np.ndarray) -> None:
+        """An arrow as long as `along`, whose point is at `end`."""
+        length = float(np.linalg.norm(along))
+        if length > 0.0 and self._scene.ngeom < self._scene.maxgeom:
+            z = along / length
+            x = np.cross(z, [0.0, 0.0, 1.0] if abs(z[2]) < 0.9 else [1.0, 0.0, 0.0])
+            x /= np.linalg.norm(x)
+            turned = np.column_stack([x, np.cross(z, x), z]).ravel()
+            size, rgba = np.array([0.025, 0.025, length]), np.asarray(PUSH_COLOUR, np.float32)
+            geom = self._scene.geoms[self._scene.ngeom]
+            mujoco.mjv_initGeom(geom, mujoco.mjtGeom.mjGEOM_ARROW, size, end - along, turned, rgba)
+            self._scene.ngeom += 1
 
     def read(self, viewport: mujoco.MjrRect) -> np.ndarray:
         """What was drawn (height, width, 3) uint8, first row on top."""
@@ -133,6 +152,7 @@ class OffScreen:
         camera: Camera = None,
         marks: Sequence[Mapping[str, Any]] = (),
         words: Mapping[str, Any] | None = None,
+        arrows: Sequence[Mapping[str, Any]] = (),
     ) -> np.ndarray:
         """The scene as it stands in `data`, whose kinematics must be up to date (`mj_forward`).
 
@@ -142,6 +162,7 @@ class OffScreen:
                 changes the default view: lookat (3) [m], distance [m], azimuth, elevation [deg]; or an MjvCamera.
             marks: crosses to lay on the ground, each {"pos": (3) [m], "arm": half length [m], "rgba": (4)}.
             words: a caption above on the left, what -> its value, a line each; ASCII.
+            arrows: each {"to": where its point is (3) [m], "along": how it lies and how long it is (3) [m]}.
 
         Returns:
             (height, width, 3) uint8, first row on top.
@@ -156,7 +177,7 @@ class OffScreen:
             raise Error("the surface was closed; make another to draw on")
         self._gl.make_current()
         viewport = mujoco.MjrRect(0, 0, self._width, self._height)
-        self._scene.draw(viewport, data, _camera(self._model, data, camera), marks, words)
+        self._scene.draw(viewport, data, _camera(self._model, data, camera), marks, words, arrows)
         return self._scene.read(viewport)
 
     def close(self) -> None:
@@ -248,7 +269,8 @@ def video(
 ) -> Path:
     """A film of a trace, written whole or not at all.
 
-    The default camera goes with the walk, but not with the sway of its steps.
+    The default camera goes with the walk, but not with the sway of its steps. An arrow shows a push while it acts, and
+    for a quarter of a second at least.
 
     Args:
         trace: a walk that carries its model.
@@ -291,10 +313,59 @@ def video(
                 k = _row(trace, t)
                 moving = {"lookat": centre[k], **camera} if isinstance(camera, Mapping) else camera
                 marks, words = _marks(trace, k) if show_zmp else (), _caption(trace, k) if caption else None
-                film.append_data(screen.draw(_pose(model, trace, k), moving, marks, words))
+                data = _pose(model, trace, k)
+                film.append_data(screen.draw(data, moving, marks, words, _arrows(model, data, trace, t)))
                 if on_progress:
                     on_progress(t - trace.t[0], trace.duration)
     return path
+
+
+class Film:
+    """A film that was made; a notebook plays it.
+
+    Args:
+        path: its file, or None where `content` is all there is.
+        content: the file's bytes.
+        kind: "mp4" or "gif".
+
+    Fields: path, as given.
+
+    Usage: `trace.video(speed=0.5).save("walk.mp4")`
+    """
+
+    def __init__(self, path: Path | None, content: bytes, kind: str):
+        self.path, self._content, self._kind = path, content, kind
+
+    def save(self, path: str | os.PathLike) -> Path:
+        """Write the film into a file of the same kind, whole or not at all.
+
+        Raises:
+            InputError: another suffix.  OSError: cannot write there.
+        """
+        path = Path(path)
+        if path.suffix.lower() != f".{self._kind}":
+            raise InputError(f"{path}: this film is a .{self._kind}; make another by trace.video('{path}')")
+        with whole(path) as draft:
+            draft.write_bytes(self._content)
+        return path
+
+    def __repr__(self) -> str:
+        return f"Film({self.path or 'in memory'}, {self._kind}, {len(self._content) / 1e6:.2f} MB)"
+
+    def _repr_html_(self) -> str:
+        content = base64.b64encode(self._content).decode()
+        if self._kind == "gif":
+            return f"<img alt='a walk' src='data:image/gif;base64,{content}'>"
+        return f"<video controls loop autoplay muted src='data:video/mp4;base64,{content}'></video>"
+
+
+def film(trace: Trace, path: str | os.PathLike | None = None, **options: Any) -> Film:
+    """See `Trace.video`."""
+    if path is not None:
+        written = video(trace, path, **options)
+        return Film(written, written.read_bytes(), written.suffix.lower().lstrip("."))
+    with tempfile.TemporaryDirectory(prefix="zmpwalk-") as folder:
+        return Film(None, video(trace, Path(folder) / "walk.mp4", **options).read_bytes(), "mp4")
 
 
 def _smooth_path(trace: Trace) -> np.ndarray:
@@ -334,6 +405,20 @@ def _pose(model: mujoco.MjModel, trace: Trace, k: int) -> mujoco.MjData:
     data = mujoco.MjData(model)
     set_state(trace, model, data, k)
     return data
+
+
+def _arrows(model: mujoco.MjModel, data: mujoco.MjData, trace: Trace, t: float) -> list[dict[str, Any]]:
+    """The pushes that act on the walk at `t`, or did until a moment ago; longer where they are harder."""
+    arrows = []
+    for start, duration, name, wrench in trace.meta.get("push") or ():
+        force = np.asarray(wrench[:3], float)
+        body = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_BODY, name)
+        if body >= 0 and force.any() and start <= t < start + max(duration, PUSH_SHOWN):
+            weight = float(model.body_subtreemass[0]) * GRAVITY
+            size = float(np.linalg.norm(force))
+            length = ARROW * float(trace.com[0, 2]) * min(max(size / weight, 0.3), 1.5)
+            arrows.append({"to": data.xipos[body].copy(), "along": length / size * force})
+    return arrows
 
 
 def _marks(trace: Trace, k: int) -> list[dict[str, Any]]:

@@ -18,7 +18,7 @@ if sys.version_info >= (3, 11):
 else:
     import tomli as tomllib
 
-__all__ = ["load_settings", "settings_toml"]
+__all__ = ["load_settings", "read_toml", "settings_toml"]
 
 
 def load_settings(path: str | os.PathLike, law: str | None = None, **changes: Any) -> WalkSettings:
@@ -40,12 +40,7 @@ def load_settings(path: str | os.PathLike, law: str | None = None, **changes: An
 
     Usage: `zmpwalk.simulate("mahru", settings=zmpwalk.load_settings("walk.toml"))`
     """
-    try:
-        values = tomllib.loads(Path(path).read_text(encoding="utf-8"))
-    except OSError as error:
-        raise InputError(f"{path}: {(error.strerror or str(error)).lower()}") from None
-    except ValueError as error:  # TOML and encoding
-        raise InputError(f"{path}: not TOML: {error}") from None
+    values = read_toml(path)
     preset = values.pop("law", "default")
     if not isinstance(preset, str):
         raise InputError(f"{path}: law = {preset!r}; it must be 'default' or 'paper'")
@@ -55,6 +50,22 @@ def load_settings(path: str | os.PathLike, law: str | None = None, **changes: An
         raise InputError(f"{path}: {error}") from None
     settings.update(**changes)
     return settings
+
+
+def read_toml(path: str | os.PathLike) -> dict[str, Any]:
+    """What a TOML file holds.
+
+    Raises:
+        InputError: no such file, or not TOML.
+
+    Usage: `read_toml("walk.toml")["law"]`
+    """
+    try:
+        return tomllib.loads(Path(path).read_text(encoding="utf-8"))
+    except OSError as error:
+        raise InputError(f"{path}: {(error.strerror or str(error)).lower()}") from None
+    except ValueError as error:  # TOML and encoding
+        raise InputError(f"{path}: not TOML: {error}") from None
 
 
 def settings_toml(controller: WalkingController, given: WalkSettings) -> str:
@@ -97,7 +108,7 @@ def settings_toml(controller: WalkingController, given: WalkSettings) -> str:
 
 
 def _comment(text: str) -> list[str]:
-    return textwrap.wrap(text, 96, initial_indent="# ", subsequent_indent="# ", break_on_hyphens=False)
+    return textwrap.wrap(text, 79, initial_indent="# ", subsequent_indent="# ", break_on_hyphens=False)
 
 
 def _torque_limits(controller: WalkingController, given: WalkSettings) -> list[str]:
@@ -105,7 +116,8 @@ def _torque_limits(controller: WalkingController, given: WalkSettings) -> list[s
     for joint, limit in zip(controller.joint_names, controller.torque_limit):
         own = joint not in given.torque_limits
         value = float(limit) if own else given.torque_limits[joint]
-        lines.append(f"{'#' if own else ''}{_key(joint)} = {_toml(value)}  # {controller.torque_path[joint]}")
+        lines += _comment(controller.torque_path[joint])
+        lines.append(f"{'#' if own else ''}{_key(joint)} = {_toml(value)}")
     return lines
 
 

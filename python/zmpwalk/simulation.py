@@ -267,10 +267,10 @@ def simulate(
             (vx, vy, wz) in the heading frame [m/s, m/s, rad/s]. None leaves the command as it is; until the first
             command the profile leads. StopIteration ends the walk; any other exception stops the run and passes on.
         tasks: tasks that the robot fulfils besides walking, from the start (`WalkingController.add`).
-        push: forces from outside, each (t [s], duration [s], body, force [N]): a constant force (fx, fy, fz) in the
-            world's axes, or with a torque (fx, fy, fz, tx, ty, tz) [N m], at the centre of mass of a body during
-            [t, t + duration). The body None is the trunk: the first body whose name holds "torso" or "trunk", else
-            the root body. The controller is not told.
+        push: a force from outside, or several, each (t [s], duration [s], body, force [N]): a constant force
+            (fx, fy, fz) in the world's axes, or with a torque (fx, fy, fz, tx, ty, tz) [N m], at the centre of mass of
+            a body during [t, t + duration). The body None is the trunk: the first body whose name holds "torso" or
+            "trunk", else the root body. `Push.impulse` makes one from its impulse. The controller is not told.
         on_fall: "stop" ends the walk where the controller says that the robot has fallen. "go_on" takes this for an
             alarm, which `meta["alarm_time"]` keeps, and ends only where the robot lies on the ground (something beside
             its legs touches it, or the COM has come down to 30 % of its height) or is not finite: these alone are

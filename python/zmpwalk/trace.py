@@ -475,12 +475,29 @@ class Trace(RecordedColumns, Mapping):
             plan = [self.v_plan[a:b, 0].mean() for a, b in zip(edges[:-1], edges[1:])]
         return speed.tolist(), plan
 
-    def plot(self, figure: str = "all", **options: Any) -> Any:
-        """Draw one of the paper's figures, or all.
+    def video(self, path: str | os.PathLike | None = None, **options: Any) -> Any:
+        """Make a film of the walk.
 
         Args:
-            figure: "iteration", "tracking", "switch", "velocity", "sagittal", "lateral" (Figs. 2, 4 to 8),
-                "footprints" (from above) or "all".
+            path: a `.mp4` or `.gif` to write; None makes an `.mp4` that lives as long as what is returned.
+            options: passed to `zmpwalk.render.video`: speed, fps, width, height, camera and others.
+
+        Returns:
+            A film, which a notebook plays: its `path`, and `save(path)` for one that was not written yet.
+
+        Raises:
+            What `zmpwalk.render.video` raises.
+
+        Usage: `trace.video(speed=0.5)` as the last line of a notebook's cell; `trace.video("walk.mp4")`
+        """
+        return ABOVE["video"](self, path, **options)
+
+    def plot(self, figure: str = "all", **options: Any) -> Any:
+        """Draw how true the estimate was, one of the paper's figures, or all.
+
+        Args:
+            figure: "estimate" (how true it was), "iteration", "tracking", "switch", "velocity", "sagittal", "lateral"
+                (Figs. 2, 4 to 8), "footprints" (from above) or "all".
             options: passed to that function of `zmpwalk.plot`.
 
         Returns:

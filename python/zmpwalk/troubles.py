@@ -96,15 +96,18 @@ class Robustness:
         """
         return write_table(path, self.rows())
 
-    def plot(self) -> Any:
+    def plot(self, axes: Any = None) -> Any:
         """A line of cells for each trouble, from mild to hard: filled where the walk stood.
+
+        Args:
+            axes: one Axes to draw on, or None for a figure of its own.
 
         Returns:
             A matplotlib Figure, which a notebook shows.
 
         Usage: `robustness().plot().savefig("robustness.png")`
         """
-        return ABOVE["plot"](self)
+        return ABOVE["plot"](self, axes)
 
     def __str__(self) -> str:
         lines = [f"{'trouble':28s} {'borne':>8s} {'bar':>8s}  levels, and where fewer than all walks stood"]

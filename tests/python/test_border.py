@@ -413,8 +413,8 @@ def test_settings_copy_pickle_compare_and_print():
     assert settings != WalkSettings()
     assert settings != 3
     assert settings is not None and settings != None  # noqa: E711
-    assert repr(settings).startswith("WalkSettings({'law': 'paper', ")
-    assert "'com_x_kp': 7.0" in repr(settings)
+    assert repr(settings).startswith("WalkSettings(law='paper', ")
+    assert "com_x_kp=7.0" in repr(settings)
 
 
 @pytest.mark.parametrize(

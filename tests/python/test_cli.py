@@ -15,7 +15,7 @@ from zmpwalk.cli import options, terminal
 
 FIGURES = {
     f"fig{name}.png" for name in ("2_iteration", "4_tracking", "5_switch", "6_velocity", "7_sagittal", "8_lateral")
-} | {"footprints.png"}
+} | {"footprints.png", "estimate.png"}
 FALLS = ("--set", "wrench_distribution=false", "--set", "contact_damping=0")  # falls within half a second
 
 
@@ -139,10 +139,12 @@ def test_mismatch_of_footsteps_and_plan_is_told_beforehand(zmpwalk_command, tmp_
         (("walk", "--out", "gap.csv/deeper"), "cannot write there"),
         (("walk", "--speed", "1"), "No such option"),
         (("run",), "No such command 'run'"),
-        (("plot",), "Missing argument 'TRACE'"),
+        (("plot",), "Missing argument 'TRACE...'"),
         (("plot", "no.npz"), "no.npz: no such file"),
         (("plot", "gap.csv"), "gap.csv: not a trace"),
-        (("plot", "no.npz", "--figure", "fig3"), "no figure 'fig3'; there are iteration"),
+        (("plot", "no.npz", "--figure", "fig3"), "no figure 'fig3'; there are estimate"),
+        (("plot", "no.npz", "other.npz"), "2 traces: add --compare"),
+        (("plot", "no.npz", "--quantity", "com_z"), "--quantity goes with --compare"),
         (("inspect", "nao"), "unknown robot 'nao'"),
         (("inspect", "bare.xml"), "sole"),
     ],
@@ -198,6 +200,17 @@ def test_long_walk_into_a_pipe_reports_now_and_then(capsys, monkeypatch):
     assert capsys.readouterr().err == "walking for 60 s\nwalked 12.3 of 60 s\n"
 
 
+def test_plot_compares_walks_that_are_called_by_their_folders(zmpwalk_command, tmp_path, walked):
+    for name in ("slow", "fast"):
+        (tmp_path / name).mkdir()
+        walked.save(tmp_path / name / "trace.npz")
+    paths = [tmp_path / name / "trace.npz" for name in ("slow", "fast")]
+    done = zmpwalk_command("plot", "--compare", *paths, "--out", tmp_path / "both", "--format", "svg")
+    assert done.returncode == 0, done.stderr
+    assert lines(done.stdout) == [str(tmp_path / "both" / "compare.svg")]
+    assert "<!-- slow -->" in (tmp_path / "both" / "compare.svg").read_text()
+
+
 def test_plot_draws_from_the_trace_alone(zmpwalk_command, tmp_path, walked):
     trace = walked.save(tmp_path / "walk.npz")
     done = zmpwalk_command("plot", trace, "--figure", "switch", "--figure", "fig8_lateral", "--format", "pdf")
@@ -250,7 +263,7 @@ def test_inspect_shows_what_was_found(zmpwalk_command):
         "T_c",
         "left foot",
         "0.250 × 0.140 m",
-        "torque limit [N m]",
+        "[N m]",
         "l_knee",
         "pitch",
     ):

@@ -18,9 +18,10 @@ FLOORS = [
     ["_check_mujoco", "tasks", "terrain", "verdict"],
     ["trace"],
     ["simulation"],
-    ["waypoints", "bench", "render", "capture", "trials"],
-    ["view", "figures", "pushes"],
+    ["waypoints", "bench", "render", "capture", "trials", "sweeps"],
+    ["view", "figures", "gym", "pushes"],
     ["plot", "troubles"],
+    ["shown"],
     ["cli"],
     ["", "__main__"],  # the package's own __init__, which knows all rooms
 ]
@@ -28,11 +29,12 @@ FLOORS = [
 # those who draw only when asked to.
 DEFERRED = {"glfw", "imageio", "mujoco", "mujoco_menagerie", "pandas", "rich"}
 DEFERRED_ROOMS = {
-    "": {"_adapters", "plot"},
+    "": {"_adapters", "plot", "render", "view"},
     "_check_mujoco": {"_build", "_core"},
     "cli.inspect": {"figures.robot"},
     "cli.plot": {"plot"},
     "cli.walk": {"plot"},
+    "shown": {"figures", "figures.small"},
 }
 
 

@@ -10,6 +10,7 @@ from zmpwalk import InputError, Trace, plot
 from zmpwalk.figures.curves import spans
 
 FILES = [
+    "estimate",
     "fig2_iteration",
     "fig4_tracking",
     "fig5_switch",
@@ -39,9 +40,9 @@ def test_figure_is_filled_and_every_axis_has_a_name_and_a_unit(made_up_trace, na
         box = ax.get_window_extent().extents.astype(int)
         inside = image[image.shape[0] - box[3] : image.shape[0] - box[1], box[0] : box[2]]
         assert (inside < 200).any(axis=-1).mean() > 0.005, "an empty panel"
-        assert "[" in ax.get_ylabel()
+        assert "[" in ax.get_ylabel() or name == "estimate"  # whose panels on the right share the left ones' axis
         assert ax.get_legend() is not None or ax is not figure.axes[0]
-    names = ("[s]", "[ms]", "[m]", "pass")
+    names = ("[s]", "[ms]", "[m]", "pass", "[%]")
     assert any(ax.get_xlabel().endswith(names) for ax in figure.axes)
 
 
@@ -203,6 +204,88 @@ def test_figures_draw_on_axes_that_are_given(made_up_trace):
         made_up_trace.plot("tracking", axes=Figure().subplots())
 
 
+def test_every_figure_draws_on_axes_that_are_given(made_up_trace):
+    for name in plot.FIGURES:
+        own = made_up_trace.plot(name)
+        mine = Figure()
+        assert made_up_trace.plot(name, ax=mine.subplots(1, len(own.axes))) is mine
+        assert mine._suptitle is None
+        assert len(mine.axes) == len(own.axes)
+    with pytest.raises(InputError, match="give ax or axes, not both"):
+        made_up_trace.plot("velocity", ax=Figure().subplots(), axes=Figure().subplots())
+
+
+def test_every_figure_can_be_vector_graphics(made_up_trace, tmp_path):
+    for kind, begins in (("pdf", b"%PDF"), ("svg", b"<?xml")):
+        paths = plot.save_all(made_up_trace, tmp_path, ["estimate", "velocity"], kind)
+        assert all(path.read_bytes().startswith(begins) for path in paths)
+
+
+def test_estimate_draws_the_error_of_both_directions_and_its_share_in_each_phase(made_up_trace):
+    trace = made_up_trace
+    axes = trace.plot("estimate").axes
+    error = 1e3 * np.abs(trace.zmp_est - trace.zmp_meas)
+    for i in (0, 1):
+        over_time, share = axes[2 * i], axes[2 * i + 1]
+        drawn = over_time.get_lines()[0].get_ydata()
+        assert drawn == pytest.approx(np.maximum(error[:, i], 1e-6))
+        levels = [one.get_ydata()[0] for one in over_time.get_lines()[1:3]]
+        assert levels == pytest.approx(np.percentile(error[:, i], (50, 95)))
+        for phase, label in ((1, "single support"), (0, "double support")):
+            percent, below = line(share, label)
+            own = error[trace.phase == phase, i]
+            middle = np.searchsorted(percent, 50.0)
+            assert below[middle] == pytest.approx(np.maximum(np.median(own), 1e-6), rel=0.02)
+            assert (np.diff(below) >= 0).all()
+            assert percent[-1] == 100
+        assert over_time.get_yscale() == share.get_yscale() == "log"
+
+
+def test_estimate_says_the_same_numbers_as_the_summary(walked):
+    figure, said = walked.plot("estimate"), walked.summary()["zmp_error_mm"]
+    for i in (0, 1):
+        levels = [one.get_ydata()[0] for one in figure.axes[2 * i].get_lines()[1:3]]
+        assert levels == pytest.approx([said["median"][i], said["p95"][i]])
+
+
+def test_compare_draws_a_line_of_its_own_for_each_walk(made_up_columns, made_up):
+    slow, fast = Trace(made_up_columns, made_up.meta()), made_up.changed(
+        made_up_columns, com=made_up_columns["com"] + 0.1
+    )  # fmt: skip
+    figure = plot.compare({"slow": slow, "fast": fast}, ("sideways", "com_z", "zmp_est_y"))
+    assert [ax.get_ylabel() for ax in figure.axes][1:] == ["com_z [m]", "zmp_est_y [m]"]
+    for name, trace in (("slow", slow), ("fast", fast)):
+        assert np.array_equal(line(figure.axes[0], name)[1], trace.com[:, 1])
+        assert np.array_equal(line(figure.axes[1], name)[1], trace.com[:, 2])
+    colours = {line.get_color() for line in figure.axes[0].get_lines()}
+    assert len(colours) == 2
+    legend = [text.get_text() for text in figure.axes[0].get_legend().get_texts()]
+    assert legend == ["slow", "fast"]
+    assert [
+        text.get_text() for ax in figure.axes[1:] for text in (ax.get_legend().get_texts() if ax.get_legend() else ())
+    ] == []
+
+
+def test_compare_marks_where_a_walk_fell(made_up_columns, made_up):
+    short = {name: array[:4000] for name, array in made_up_columns.items()}
+    fell = Trace(short, made_up.meta(fell=True, fall_time=3.999))
+    figure = plot.compare({"a": Trace(made_up_columns, made_up.meta()), "b": fell})
+    for ax in figure.axes:
+        marks = [one for one in ax.get_lines() if one.get_marker() == "X"]
+        assert [mark.get_xdata()[0] for mark in marks] == [pytest.approx(3.999, abs=0.02)]
+    assert "b (fell at 4.00 s)" in [text.get_text() for text in figure.axes[0].get_legend().get_texts()]
+    assert figure.axes[0].get_xlim() == pytest.approx((0, 8), abs=0.01)
+
+
+def test_compare_says_what_is_wrong(made_up_trace):
+    with pytest.raises(InputError, match=r"the walk 'a' has no 'com_w'; the nearest names are com_"):
+        plot.compare({"a": made_up_trace}, ["com_w"])
+    with pytest.raises(InputError, match="traces is Trace; it must be a dict"):
+        plot.compare(made_up_trace)
+    with pytest.raises(InputError, match="nothing to compare from 20 to 30 s"):
+        plot.compare({"a": made_up_trace}, start=20, end=30)
+
+
 def test_figure_shows_itself_in_a_notebook(made_up_trace):
     assert made_up_trace.plot("velocity")._repr_png_().startswith(b"\x89PNG")
 
@@ -212,7 +295,7 @@ def test_plotting_leaves_pyplot_alone():
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
 
 
-def test_save_all_writes_the_six_files(made_up_trace, tmp_path):
+def test_save_all_writes_every_figure(made_up_trace, tmp_path):
     paths = plot.save_all(made_up_trace, tmp_path / "new")
     assert [path.name for path in paths] == [f"{name}.png" for name in FILES]
     assert sorted(path.name for path in (tmp_path / "new").iterdir()) == sorted(path.name for path in paths)
@@ -223,7 +306,7 @@ def test_save_all_takes_names_and_print_formats(made_up_trace, tmp_path):
     (path,) = plot.save_all(made_up_trace, tmp_path, ["fig5_switch"], "pdf")
     assert path.name == "fig5_switch.pdf"
     assert path.read_bytes().startswith(b"%PDF")
-    with pytest.raises(InputError, match="no figure 'fig3'; there are iteration"):
+    with pytest.raises(InputError, match="no figure 'fig3'; there are estimate, iteration"):
         plot.save_all(made_up_trace, tmp_path, ["fig3"])
 
 
@@ -257,5 +340,5 @@ def test_footprints_lie_where_soles_stood_turned_as_they_were(made_up_columns, m
     assert planned[-1] - planned[0] == pytest.approx(made_up_columns["v_plan"][:-1, 0].sum() * 0.001 * np.array([c, s]))
     assert np.column_stack(line(ax, "COM")) == pytest.approx(trace.com[:, :2])
     assert ax.get_aspect() == 1
-    arrows = next(one for one in ax.collections if one.get_label() == "heading")
+    arrows = next(one for one in ax.collections if one.get_label() == "_heading")
     assert np.arctan2(arrows.V, arrows.U) == pytest.approx(np.full(len(arrows.U), turn))

@@ -10,6 +10,7 @@ import subprocess
 import numpy as np
 import pytest
 import zmpwalk
+from matplotlib.figure import Figure
 from zmpwalk import InputError, VelocityProfile, judge, push_map, simulate
 from zmpwalk.verdict import Verdict
 
@@ -68,6 +69,16 @@ def test_a_text_is_a_push():
         simulate(profile=0.0, duration=0.3, push=push) for push in ([(0.1, 0.1, None, (20, 0, 5))], "0.1:0.1::20,0,5")
     )
     assert tuple_ == text
+
+
+def test_one_push_needs_no_list_and_may_be_given_by_its_impulse():
+    by_impulse = zmpwalk.Push.impulse(0.2, (0.0, 8.0, 0.0))
+    assert by_impulse == (0.2, 0.08, None, (0.0, 100.0, 0.0))
+    alone = (0.2, 0.08, None, (0.0, 100.0, 0.0))
+    walks = [simulate(duration=0.4, push=push) for push in (by_impulse, alone, [alone], "0.2:0.08::0,100,0")]
+    assert all(walk.identical(walks[0]) for walk in walks)
+    with pytest.raises(InputError, match="duration is 0 s; it must be positive"):
+        zmpwalk.Push.impulse(0.2, (0.0, 8.0, 0.0), duration=0.0)
 
 
 def test_two_pushes_at_once_add_up():
@@ -191,6 +202,15 @@ def test_the_map_as_csv_and_json(small_map, tmp_path):
     assert len(rows) == small_map.felling.size
     assert float(rows[0]["felling_Ns"]) == pytest.approx(62.9 * float(rows[0]["felling_Ns_per_kg"]), rel=1e-3)
     assert json.loads(json.dumps(small_map.to_dict(), allow_nan=False))["worst"] == small_map.worst
+
+
+def test_the_figure_draws_on_polar_axes_that_are_given(small_map):
+    figure = Figure()
+    axes = figure.subplots(1, len(small_map.phases), subplot_kw={"projection": "polar"}, squeeze=False)
+    assert small_map.plot(axes) is figure
+    assert all(ax.get_lines() for ax in axes.ravel())
+    with pytest.raises(InputError, match="needs polar axes"):
+        small_map.plot(figure.subplots(1, len(small_map.phases)))
 
 
 def test_the_figure_has_a_polar_axes_for_each_phase(small_map):

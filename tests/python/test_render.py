@@ -109,3 +109,18 @@ def test_film_s_camera_goes_with_the_walk_and_not_with_its_sway(made_up_trace):
     assert path.shape == com.shape
     assert np.ptp(path[2000:-2000, 1]) < 0.2 * np.ptp(com[2000:-2000, 1])
     assert path[2000:-2000, 0] == pytest.approx(com[2000:-2000, 0], abs=0.02)
+
+
+def test_film_shows_an_arrow_while_a_push_acts_and_a_quarter_of_a_second_at_least(standing, walked):
+    model, data = standing
+    pushed = zmpwalk.Trace(dict(walked), {**walked.meta, "push": [[0.2, 0.08, "torso", [0.0, 200.0, 0.0]]]})
+    shown = [len(render._arrows(model, data, pushed, t)) for t in (0.1, 0.2, 0.44, 0.46)]
+    assert shown == [0, 1, 1, 0]
+    (arrow,) = render._arrows(model, data, pushed, 0.3)
+    torso = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_BODY, "torso")
+    assert arrow["to"] == pytest.approx(data.xipos[torso])
+    assert arrow["along"][1] > 0.1
+    assert arrow["along"][[0, 2]] == pytest.approx([0, 0])
+    with render.OffScreen(model, 160, 120) as screen:
+        with_arrow, without = (screen.draw(data, arrows=arrows) for arrows in ([arrow], []))
+    assert (with_arrow != without).any()

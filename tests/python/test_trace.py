@@ -382,6 +382,7 @@ def test_what_on_progress_raises_stops_the_run_and_passes_on():
 
 def test_plot_by_name_or_all(made_up_trace):
     assert set(made_up_trace.plot()) == {
+        "estimate",
         "iteration",
         "tracking",
         "switch",
@@ -390,5 +391,5 @@ def test_plot_by_name_or_all(made_up_trace):
         "lateral",
         "footprints",
     }
-    with pytest.raises(InputError, match="no figure 'zmp'; there are iteration"):
+    with pytest.raises(InputError, match="no figure 'zmp'; there are estimate"):
         made_up_trace.plot("zmp")

@@ -1,4 +1,4 @@
-"""The command `zmpwalk`: a file for each of walk, view, plot, video, push-map, robustness, inspect,
+"""The command `zmpwalk`: a file for each of walk, view, plot, video, push-map, robustness, sweep, inspect,
 settings, bench, build-adapter.
 
 Exit codes: 0 the robot stood to the end, 3 it fell (everything is written all the same), 2 bad input (one line on
@@ -16,7 +16,7 @@ import mujoco
 
 from .._build import VERSION
 from ..errors import Error
-from . import bench, build_adapter, inspect, plot, push_map, robustness, settings, video, view, walk
+from . import bench, build_adapter, inspect, plot, push_map, robustness, settings, sweep, video, view, walk
 from .terminal import FAULT, INTERRUPTED, STOOD, complain
 
 __all__ = ["cli", "main"]
@@ -73,5 +73,5 @@ def cli() -> None:
     """Walk humanoid robots in MuJoCo: give a velocity, get the torques, and know their ZMP beforehand."""
 
 
-for room in (walk, view, plot, video, push_map, robustness, inspect, settings, bench, build_adapter):
+for room in (walk, view, plot, video, push_map, robustness, sweep, inspect, settings, bench, build_adapter):
     cli.add_command(room.command)

@@ -98,10 +98,10 @@ def _print_inspection(found: dict[str, Any]) -> None:
     facts.add_row("joints", ", ".join(f"{role} {count}" for role, count in found["roles"].items()))
     console.print(facts)
     console.print()
-    joints = Table(box=None, pad_edge=False)
-    for words in ("joint", "part of", "turns"):
-        joints.add_column(words, no_wrap=True)
-    for numbers in ("stand [rad]", "range [rad]", "torque limit [N m]"):
+    joints = Table(box=None, pad_edge=False, padding=(0, 1, 0, 0))
+    for words in ("\n\njoint", "\n\npart of", "\n\nturns"):
+        joints.add_column(words, overflow="fold")  # a long name goes on in the next line, nothing is cut off
+    for numbers in ("\nstand\n[rad]", "\nrange\n[rad]", "torque\nlimit\n[N m]"):
         joints.add_column(numbers, justify="right", no_wrap=True)
     for joint in found["joints"]:
         low_high = joint["range_rad"]

@@ -11,9 +11,19 @@ import click
 
 from .._core import WalkSettings
 from ..errors import InputError
+from ..figures import FORMATS
 from ..settings import load_settings
 
-__all__ = ["parse", "robot_option", "settings_options", "size_of", "unsure", "walk_options"]
+__all__ = [
+    "format_option",
+    "parse",
+    "push_option",
+    "robot_option",
+    "settings_options",
+    "size_of",
+    "unsure",
+    "walk_options",
+]
 
 FOOTSTEPS = ("tied", "absolute", "paper", "printed")
 
@@ -54,11 +64,28 @@ def settings_options(command: Callable) -> Callable:
     return with_settings
 
 
+format_option = click.option(
+    "--format",
+    "kind",
+    type=click.Choice(FORMATS),
+    default="png",
+    show_default=True,
+    help="File format of figures; pdf and svg are vector graphics.",
+)
+
 robot_option = click.option(
     "--robot",
     default="mahru",
     show_default=True,
     help="A robot's name, menagerie:NAME, or a path to a robot.json, an MJCF (.xml, .mjcf) or a .urdf.",
+)
+
+
+push_option = click.option(
+    "--push",
+    multiple=True,
+    metavar="T:DURATION:BODY:FX,FY,FZ",
+    help="Force [N] on a body from T for DURATION [s]: 3.0:0.08:torso:0,50,0; no BODY is the trunk. Repeatable.",
 )
 
 

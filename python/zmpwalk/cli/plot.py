@@ -1,4 +1,4 @@
-"""`zmpwalk plot` draws the figures of a walk from its trace alone."""
+"""`zmpwalk plot` draws the figures of a walk, or of several beside each other, from their traces alone."""
 
 from __future__ import annotations
 
@@ -6,16 +6,18 @@ from pathlib import Path
 
 import click
 
+from ..errors import InputError
 from ..figures import FILES
 from ..files import together
 from ..trace import Trace
+from .options import format_option
 from .terminal import STOOD
 
 __all__ = ["command"]
 
 
 @click.command("plot")
-@click.argument("trace", type=click.Path(path_type=Path))
+@click.argument("traces", type=click.Path(path_type=Path), nargs=-1, required=True, metavar="TRACE...")
 @click.option("--out", type=click.Path(path_type=Path), help="Folder for the figures.  [default: that of the trace]")
 @click.option(
     "--figure",
@@ -24,20 +26,65 @@ __all__ = ["command"]
     metavar="NAME",
     help=f"Draw only this figure; may be given several times: {', '.join(FILES)}.  [default: all]",
 )
+@click.option("--compare", is_flag=True, help="Draw all TRACEs over one another in one figure, compare.png.")
 @click.option(
-    "--format", "kind", type=click.Choice(["png", "pdf", "svg"]), default="png", show_default=True, help="File format."
+    "--quantity",
+    "quantities",
+    multiple=True,
+    metavar="NAME",
+    help="With --compare, a panel for this: velocity, sideways, zmp, estimate, torque, or any column of a trace, such "
+    "as com_z.  [default: velocity, sideways, estimate, torque]",
 )
-def command(trace: Path, out: Path | None, figures: tuple[str, ...], kind: str) -> int:
-    """Draw the figures of a walk from its TRACE file alone."""
+@format_option
+def command(
+    traces: tuple[Path, ...],
+    out: Path | None,
+    figures: tuple[str, ...],
+    compare: bool,
+    quantities: tuple[str, ...],
+    kind: str,
+) -> int:
+    """Draw the figures of a walk from its TRACE file alone, or compare several walks.
+
+    \b
+    zmpwalk plot out/first/trace.npz --figure estimate
+    zmpwalk plot --compare out/slow/trace.npz out/fast/trace.npz
+    """
     from .. import plot  # matplotlib is slow to import
 
+    if quantities and not compare:
+        raise InputError("--quantity goes with --compare")
+    if figures and compare:
+        raise InputError("--figure does not go with --compare, whose panels are named by --quantity")
+    if len(traces) > 1 and not compare:
+        raise InputError(f"{len(traces)} traces: add --compare for one figure of them all, or draw one at a time")
     names = [name for name in figures if name != "all"]
     for name in names:
         plot.figure_function(name)
-    walked = Trace.load(trace)
-    with together(out or trace.parent) as (draft, deliver):
-        files = plot.save_all(walked, draft, names or None, kind)
+    walked = {name: Trace.load(path) for name, path in zip(_names(traces), traces)}
+    folder = out or traces[0].parent
+    with together(folder) as (draft, deliver):
+        if compare:
+            figure = plot.compare(walked, quantities or plot.COMPARED)
+            files = [draft / f"compare.{kind}"]
+            figure.savefig(files[0])
+        else:
+            files = plot.save_all(next(iter(walked.values())), draft, names or None, kind)
         deliver(files)
     for file in files:
-        click.echo(str((out or trace.parent) / file.name))
+        click.echo(str(folder / file.name))
     return STOOD
+
+
+def _names(paths: tuple[Path, ...]) -> list[str]:
+    """What the walks are called: the files' names, with as much of their folders as tells them apart."""
+    parts = [path.absolute().with_suffix("").parts for path in paths]
+    for depth in range(1, max(map(len, parts)) + 1):
+        names = ["/".join(each[-depth:]) for each in parts]
+        if len(set(names)) == len(names):
+            break
+    else:
+        raise InputError(f"{paths[0]} is given twice")
+    if depth > 1 and len({each[-1] for each in parts}) == 1:
+        names = [name.rpartition("/")[0] for name in names]  # all are trace.npz: the folder is the name
+    return names

@@ -12,7 +12,7 @@ import click
 from ..files import as_input_error, together
 from ..profiles import profile_of
 from ..pushes import STANCES, push_map
-from .options import robot_option, settings_options
+from .options import format_option, robot_option, settings_options
 from .terminal import INTERRUPTED, STOOD, Share, new_console
 
 __all__ = ["command"]
@@ -31,6 +31,7 @@ __all__ = ["command"]
 @click.option("--out", type=click.Path(path_type=Path), help="Folder to write into.  [default: out/pushes-ROBOT]")
 @click.option("--json", "as_json", is_flag=True, help="Print the map as JSON, and nothing else, on stdout.")
 @click.option("--no-figures", is_flag=True, help="Write the tables only.")
+@format_option
 def command(
     robot: str,
     velocity: str,
@@ -44,6 +45,7 @@ def command(
     out: Path | None,
     as_json: bool,
     no_figures: bool,
+    kind: str,
 ) -> int:
     """Push a walking or standing robot from every side until it falls, then write map, table and figure.
 
@@ -69,7 +71,7 @@ def command(
             files = [found.to_csv(draft / "pushes.csv"), draft / "pushes.json"]
             files[1].write_text(json.dumps(found.to_dict(), indent=1, allow_nan=False) + "\n", encoding="utf-8")
             if not no_figures:
-                files.append(draft / "pushes.png")
+                files.append(draft / f"pushes.{kind}")
                 found.plot().savefig(files[-1])
         deliver(files)
     if as_json:

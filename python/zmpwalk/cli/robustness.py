@@ -10,7 +10,7 @@ import click
 
 from ..files import as_input_error, together
 from ..troubles import robustness
-from .options import robot_option, settings_options
+from .options import format_option, robot_option, settings_options
 from .terminal import INTERRUPTED, STOOD, Share, new_console
 
 __all__ = ["command"]
@@ -25,6 +25,7 @@ __all__ = ["command"]
 @settings_options
 @click.option("--out", type=click.Path(path_type=Path), help="Folder to write into.  [default: out/robustness-ROBOT]")
 @click.option("--no-figures", is_flag=True, help="Write the table only.")
+@format_option
 def command(
     robot: str,
     velocity: float,
@@ -34,6 +35,7 @@ def command(
     settings: Any,
     out: Path | None,
     no_figures: bool,
+    kind: str,
 ) -> int:
     """Try everything that a walk may have to bear, from mild to hard: one table and one figure.
 
@@ -53,7 +55,7 @@ def command(
         with as_input_error(out):
             files = [found.to_csv(draft / "robustness.csv")]
             if not no_figures:
-                files.append(draft / "robustness.png")
+                files.append(draft / f"robustness.{kind}")
                 found.plot().savefig(files[-1])
         deliver(files)
     console = new_console()

@@ -12,7 +12,7 @@ from ..errors import InputError
 from ..files import as_input_error
 from ..simulation import simulate
 from ..trace import Trace
-from .options import size_of, walk_options
+from .options import push_option, size_of, walk_options
 from .terminal import STOOD, Progress
 
 __all__ = ["command"]
@@ -21,6 +21,7 @@ __all__ = ["command"]
 @click.command("video")
 @click.argument("trace", type=click.Path(path_type=Path), required=False)
 @walk_options
+@push_option
 @click.option(
     "--out",
     type=click.Path(path_type=Path),
@@ -45,6 +46,7 @@ def command(
     profile: str,
     duration: float,
     settings: Any,
+    push: tuple[str, ...],
     out: Path,
     speed: float,
     fps: int,
@@ -52,7 +54,13 @@ def command(
     azimuth: float | None,
     shadows: bool,
 ) -> int:
-    """Make a film of the walk in a TRACE file, or of a new walk by the options of `zmpwalk walk`."""
+    """Make a film of the walk in a TRACE file, or of a new walk by the options of `zmpwalk walk`.
+
+    An arrow shows a push while it acts and a moment longer. A recovery in slow motion:
+
+    \b
+    zmpwalk video --profile 0.25 --push 4.0:0.08::0,400,0 --speed 0.5 --out push.mp4
+    """
     if out.suffix.lower() not in (".mp4", ".gif"):
         raise InputError(f"--out {out}: give a .mp4 or .gif")
     if not out.absolute().parent.is_dir():
@@ -60,13 +68,13 @@ def command(
     width, height = size_of(size)
     camera = None if azimuth is None else {"azimuth": azimuth}
     if trace is not None:
-        given = _given("robot", "profile", "duration", "law", "file", "footsteps", "changes")
+        given = _given("robot", "profile", "duration", "law", "file", "footsteps", "changes", "push")
         if given:
             raise InputError(f"{given[0]} is for a new walk; {trace} is one already")
         walked = Trace.load(trace)
     else:
         with Progress(duration) as progress:
-            walked = simulate(robot, profile, duration, settings, progress.at)
+            walked = simulate(robot, profile, duration, settings, progress.at, push=push, on_fall="go_on")
     with Progress(walked.duration, "film") as progress:
         try:
             with as_input_error(out):

@@ -10,7 +10,7 @@ from typing import Any
 
 import click
 
-from ..figures import FILES
+from ..figures import FILES, FORMATS
 from ..files import as_input_error, together
 from ..motion import JointMotion
 from ..profiles import profile_of
@@ -18,7 +18,7 @@ from ..robots import examine
 from ..simulation import ON_FALL, Outside, WalkingController, check_duration, run
 from ..terrain import load_scene
 from ..trace import Trace
-from .options import unsure, walk_options
+from .options import format_option, push_option, unsure, walk_options
 from .terminal import FELL, INTERRUPTED, STOOD, Progress, new_console, number
 
 __all__ = ["command"]
@@ -33,12 +33,7 @@ MISMATCH = 0.002  # feet off the planned velocity by this are worth a warning [m
     type=click.Path(path_type=Path),
     help="CSV file with angles of arms, waist and trunk over time, headed t,JOINT,...",
 )
-@click.option(
-    "--push",
-    multiple=True,
-    metavar="T:DURATION:BODY:FX,FY,FZ",
-    help="Force [N] on a body from T for DURATION [s]: 3.0:0.08:torso:0,50,0; no BODY is the trunk. Repeatable.",
-)
+@push_option
 @click.option(
     "--uncertain",
     multiple=True,
@@ -66,6 +61,7 @@ MISMATCH = 0.002  # feet off the planned velocity by this are worth a warning [m
 )
 @click.option("--json", "as_json", is_flag=True, help="Print nothing but the summary, as JSON, on stdout.")
 @click.option("--no-figures", is_flag=True, help="Write only trace and summary, which is faster.")
+@format_option
 def command(
     robot: str,
     profile: str,
@@ -81,6 +77,7 @@ def command(
     out: Path | None,
     as_json: bool,
     no_figures: bool,
+    kind: str,
 ) -> int:
     """Walk a robot in MuJoCo, then write trace, summary and figures into a folder."""
     # Everything that can be wrong is found out before anything is written.
@@ -100,9 +97,9 @@ def command(
         for remark in found.remarks:
             print(f"zmpwalk: note: {remark}", file=sys.stderr)
         if abs(mismatch) > MISMATCH:
-            kind = "faster" if mismatch > 0 else "slower"
+            pace = "faster" if mismatch > 0 else "slower"
             print(
-                f"zmpwalk: warning: the footsteps go {abs(mismatch):.4f} m/s {kind} than the planned velocity",
+                f"zmpwalk: warning: the footsteps go {abs(mismatch):.4f} m/s {pace} than the planned velocity",
                 file=sys.stderr,
             )
         progress = Progress(duration)
@@ -110,7 +107,7 @@ def command(
             with as_input_error(out):
                 with progress:
                     trace = run(controller, duration, progress.at, seed, name, outside=outside)
-                files = _write(trace, draft, no_figures)
+                files = _write(trace, draft, None if no_figures else kind)
         except KeyboardInterrupt:
             print(f"zmpwalk: stopped at t = {progress.t:.2f} s of {duration:g} s; nothing was written", file=sys.stderr)
             return INTERRUPTED
@@ -131,20 +128,20 @@ def command(
     return STOOD
 
 
-def _write(trace: Trace, folder: Path, no_figures: bool) -> list[Path]:
+def _write(trace: Trace, folder: Path, kind: str | None) -> list[Path]:
     files = [trace.save(folder / "trace.npz"), folder / "summary.json"]
     files[1].write_text(json.dumps(trace.summary(), indent=2, allow_nan=False) + "\n", encoding="utf-8")
-    if not no_figures:
+    if kind is not None:
         from .. import plot  # matplotlib is slow to import
 
-        files += plot.save_all(trace, folder)
+        files += plot.save_all(trace, folder, format=kind)
     return files
 
 
 def _remove_stale_figures(out: Path, files: list[Path]) -> None:
     """Removes figures of an earlier walk, which would be wrong beside the trace of this one."""
     new = {file.name for file in files}
-    for old in (f"{stem}.png" for stem in FILES.values()):
+    for old in (f"{stem}.{kind}" for stem in FILES.values() for kind in FORMATS):
         if old not in new and (out / old).exists():
             (out / old).unlink()
 

@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 
 from ..errors import InputError
 from ..trace import Trace
-from .style import BOUND, COM, DASHES, DESIRED, DOUBLE_SUPPORT, ESTIMATED, MEASURED, PLANNED, SOLE
+from .style import BOUND, COM, DASHES, DESIRED, DOTS, DOUBLE_SUPPORT, ESTIMATED, MEASURED_BAND, PLANNED, SOLE, SOLE_FILL
 
 LONGEST = 10.0  # of a walk that is drawn unless asked for more [s]
 
@@ -53,19 +53,12 @@ def spans(mask: np.ndarray) -> list[slice]:
     return [slice(int(a), int(b)) for a, b in zip(edges[::2], edges[1::2])]
 
 
-def double_support_bands(ax: Axes, trace: Trace, rows: slice) -> None:
-    """Faint bands where both feet are down."""
+def double_support_bars(ax: Axes, trace: Trace, rows: slice) -> None:
+    """Grey bars along the lower edge where both feet are down."""
     t, label = trace.t[rows], "double support"
     for span in spans(trace.phase[rows] == 0):
-        ax.axvspan(
-            t[span.start],
-            t[span.stop - 1] + trace.control_dt,
-            color=DOUBLE_SUPPORT,
-            alpha=0.07,
-            lw=0,
-            zorder=0,
-            label=label,
-        )
+        end = t[span.stop - 1] + trace.control_dt
+        ax.axvspan(t[span.start], end, 0.0, 0.035, color=DOUBLE_SUPPORT, lw=0, zorder=0, label=label)
         label = "_"
 
 
@@ -90,7 +83,7 @@ def soles(ax: Axes, trace: Trace, rows: slice, i: int) -> None:
         down = (trace.phase[rows] == 0) | ((trace.support[rows] > 0) == (side == 0))
         for span in spans(down):
             t, x = trace.t[rows][span], place[span]
-            ax.fill_between(t, x - half, x + half, facecolor=SOLE, alpha=0.18, lw=0, zorder=0.5, label=label)
+            ax.fill_between(t, x - half, x + half, facecolor=SOLE_FILL, lw=0, zorder=0.5, label=label)
             for edge in (x - half, x + half):
                 ax.plot(t, edge, color=SOLE, lw=0.7, zorder=0.6)
             edges += [x - half, x + half]
@@ -123,9 +116,8 @@ def zmp_and_com(
     low, high, desired, estimated, measured = (
         unit * (trace[name][rows, i] - off) for name in ("zmp_lower", "zmp_upper", "zmp_des", "zmp_est", "zmp_meas")
     )
-    ax.fill_between(t, low, high, step="post", facecolor=BOUND, alpha=0.25, lw=0, zorder=1, label="ZMP bounds")
-    for bound in (low, high):
-        ax.step(t, bound, where="post", color=BOUND, lw=0.7, zorder=1.5)
+    for bound, label in ((low, "ZMP bounds"), (high, "_")):
+        ax.step(t, bound, where="post", color=BOUND, lw=1.3, zorder=1.5, label=label)
     drawn = [low, high, desired]
     if origin is None:
         drawn.append(trace.com[rows, i])
@@ -138,9 +130,9 @@ def zmp_and_com(
         if np.nanmax(measured, initial=bottom) > top or np.nanmin(measured, initial=top) < bottom
         else ""
     )
-    ax.plot(t, measured, color=MEASURED, lw=3.0, alpha=0.6, zorder=2, solid_capstyle="butt", label=f"measured ZMP{cut}")
-    ax.plot(t, estimated, color=ESTIMATED, lw=1.2, zorder=3, label="estimated ZMP")
-    ax.plot(t, desired, color=DESIRED, lw=1.4, ls=DASHES, zorder=4, label="desired ZMP")
+    ax.plot(t, measured, color=MEASURED_BAND, lw=4.0, zorder=2, solid_capstyle="butt", label=f"measured ZMP{cut}")
+    ax.plot(t, estimated, color=ESTIMATED, lw=1.6, zorder=3, label="estimated ZMP")
+    ax.plot(t, desired, color=DESIRED, lw=1.4, ls=DOTS, zorder=4, label="desired ZMP")
     ax.set_ylim(bottom, top)
 
 

@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.patches import Polygon
-from matplotlib.patheffects import withStroke
 
 from ..analysis import feet_pose, planned_path, sole_yaw
 from ..trace import Trace
@@ -26,12 +25,15 @@ from .style import (
     title,
 )
 
+MANY = 60  # places of a sole, beyond which the ZMP would only hide them
+
 
 @styled
 def footprints(trace: Trace, start: float | None = None, end: float | None = None, axes: Any = None) -> Figure:
     """The walk from above: every place where a sole stood, COM, ZMP, and where the commands lead [m].
 
-    An arrow at each touch-down goes from the middle of the feet along their mean heading.
+    An arrow at each touch-down goes from the middle of the feet along their mean heading. The measured ZMP is left out
+    where soles stand in more than 60 places.
 
     Args:
         trace: a walk.
@@ -60,22 +62,21 @@ def footprints(trace: Trace, start: float | None = None, end: float | None = Non
             ax.add_patch(Polygon(corners, closed=True, facecolor=color, alpha=0.25, lw=0, zorder=1, label=label))
             ax.add_patch(Polygon(corners, closed=True, fill=False, edgecolor=color, lw=0.7, zorder=1.5))
     ax.plot(*planned[:, :2].T, color=PLANNED, lw=2.2, zorder=2, label="where the commands lead")
-    ax.plot(*trace.zmp_meas[rows].T, color=MEASURED, lw=0.8, alpha=0.8, zorder=3, label="measured ZMP")
     ax.plot(*com[:, :2].T, color=COM, lw=1.4, zorder=4, label="COM")
+    if sum(map(len, prints.values())) <= MANY:
+        ax.plot(*trace.zmp_meas[rows].T, color=MEASURED, lw=0.8, zorder=3, label="measured ZMP")
     landed = np.flatnonzero(np.diff(trace.phase[rows]) < 0) + 1 + rows.start
     x, y, yaw = feet_pose(trace.foot_left[landed], trace.foot_right[landed]).T
     size = 0.15 * float(com[0, 2])
     arrow: dict[str, Any] = {"angles": "xy", "scale_units": "xy", "scale": 1, "width": 0.003, "zorder": 5}
-    ax.quiver(x, y, size * np.cos(yaw), size * np.sin(yaw), color=DESIRED, label="heading", **arrow)
-    for k, word in ((0, "start"), (-1, "end")):
-        ax.plot(*com[k, :2], color=COM, marker="o", ms=4, zorder=6)
-        text = f"{word}, {trace.t[rows][k]:.3g} s"
-        x_k, y_k = com[k, :2].tolist()
-        word_k = ax.annotate(text, (x_k, y_k), (0, -12), textcoords="offset points", ha="center", fontsize=8, zorder=7)
-        word_k.set_path_effects([withStroke(linewidth=2.5, foreground="white")])
+    ax.quiver(x, y, size * np.cos(yaw), size * np.sin(yaw), color=DESIRED, label="_heading", **arrow)
+    ax.plot([], [], color=DESIRED, ls="", marker=r"$\rightarrow$", ms=11, label="heading")
+    for k, word, marker in ((0, "start", "o"), (-1, "end", "s")):
+        look: dict[str, Any] = {"mfc": "white" if k == 0 else COM, "ms": 6 if k == 0 else 5, "zorder": 6}
+        ax.plot(*com[k, :2], color=COM, marker=marker, ls="", label=f"{word}, {trace.t[rows][k]:.3g} s", **look)
     ax.set(xlabel="x [m]", ylabel="y [m]", aspect="equal")
     ax.set(xlim=(low[0] - margin, high[0] + margin), ylim=(low[1] - margin, high[1] + margin))
-    legend_above(ax, 3)
+    legend_above(ax, 4)
     title(figure, axes, "The walk from above" + excerpt(trace, rows))
     return figure
 

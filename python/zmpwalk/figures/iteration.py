@@ -73,23 +73,22 @@ def iteration(
     left.axhline(desired, color=DESIRED, label="desired ZMP")
     if np.ptp(reference) < 3 * np.ptp(desired - error):  # of slow iterations it goes metres away
         square = "s" if marker else ""
-        left.plot(n + 1, reference, color=FAINT, ls=":", marker=square, ms=3, label="pendulum's reference (16)")
+        left.plot(n + 1, reference, color=FAINT, ls=":", marker=square, ms=3, label="pendulum's reference ZMP")
     left.plot(n + 1, desired - error, color=ESTIMATED, marker=marker, ms=4, label="estimated ZMP")
     left.set(xlabel="pass", ylabel=f"{NAMES[i]} ZMP from support sole [mm]")
     legend_above(left, 2)
 
     right.axhline(threshold, color=DESIRED, ls="--", label=f"threshold {threshold:g} mm")
-    right.semilogy(
-        n + 1, np.abs(error), color=ESTIMATED, marker=marker, ms=4, label=f"× {abs(contraction):.3g} per pass"
-    )
-    right.set(xlabel="pass", ylabel="|desired − estimated ZMP| [mm]")
+    left_over = f"each pass leaves {100 * abs(contraction):.3g} % of the error"
+    right.semilogy(n + 1, np.abs(error), color=ESTIMATED, marker=marker, ms=4, label=left_over)
+    right.set(xlabel="pass", ylabel="error: |desired − estimated ZMP| [mm]")
     right.set_ylim(bottom=max(np.abs(error).min() / 2, threshold * 1e-6))
-    legend_above(right, 2)
+    legend_above(right, 1)
     for ax in (left, right):
         ax.xaxis.set_major_locator(MaxNLocator(6, integer=True))
         ax.set_xlim(1 - 0.04 * len(n), len(n) + 0.04 * len(n))
     passes = "1 pass" if needed == 1 else f"{needed} passes" if needed < MOST_PASSES else f"over {MOST_PASSES} passes"
-    title(figure, axes, f"ZMP iteration at t = {trace.t[k]:.3f} s: {passes} to the threshold")
+    title(figure, axes, f"ZMP iteration of the cycle at t = {trace.t[k]:.3f} s: {passes} to the threshold")
     return figure
 
 

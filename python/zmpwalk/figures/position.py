@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from ..trace import Trace
-from .curves import LONGEST, double_support_bands, excerpt, share_time, soles, window, zmp_and_com
+from .curves import LONGEST, double_support_bars, excerpt, share_time, soles, window, zmp_and_com
 from .style import legend_above, new_figure, styled, title
 
 
@@ -32,7 +32,7 @@ def sagittal(trace: Trace, start: float | None = None, end: float | None = None,
     rows = window(trace, start, end, LONGEST)
     figure, (world, sole) = new_figure(axes, 2, 1, height=5.6, ratios=(1.5, 1.0))
     for ax in (world, sole):
-        double_support_bands(ax, trace, rows)
+        double_support_bars(ax, trace, rows)
     soles(world, trace, rows, 0)
     zmp_and_com(world, trace, rows, 0)
     world.set_ylabel("position, forward [m]")
@@ -66,7 +66,7 @@ def lateral(trace: Trace, start: float | None = None, end: float | None = None, 
     """
     rows = window(trace, start, end, LONGEST)
     figure, (ax,) = new_figure(axes, 1, 1, height=3.9)
-    double_support_bands(ax, trace, rows)
+    double_support_bars(ax, trace, rows)
     soles(ax, trace, rows, 1)
     zmp_and_com(ax, trace, rows, 1)
     ax.set(xlabel="time [s]", ylabel="position, leftward [m]")

@@ -10,7 +10,8 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
-from .style import BOUND, DESIRED, ESTIMATED, FAINT, WIDTH, WalkFigure, styled
+from ..errors import InputError
+from .style import BOUND, DESIRED, ESTIMATED, FAINT, WIDTH, WalkFigure, given_axes, styled
 
 __all__ = ["pushes"]
 
@@ -18,7 +19,7 @@ LOOKS = {"left": (DESIRED, "o-"), "right": (ESTIMATED, "s--")}  # of a stance
 
 
 @styled
-def pushes(push_map: Any) -> Figure:
+def pushes(push_map: Any, axes: Any = None) -> Figure:
     """A polar figure for each phase: the smallest impulse that fells, over the direction of the push.
 
     Forward is up and outwards, to the side of the stance foot, is to the left; a right stance is drawn mirrored, so
@@ -27,6 +28,7 @@ def pushes(push_map: Any) -> Figure:
 
     Args:
         push_map: what `zmpwalk.push_map` returned.
+        axes: a polar Axes for each phase (`projection="polar"`), or None for a figure of its own.
 
     Returns:
         The figure.
@@ -37,17 +39,24 @@ def pushes(push_map: Any) -> Figure:
     columns = min(count, 4)
     rows = -(-count // columns)
     height = (0.75 + 0.72 * WIDTH / max(columns, 3)) * rows + 1.25
-    figure = WalkFigure(figsize=(WIDTH, height))
-    FigureCanvasAgg(figure)
     known = push_map.felling[np.isfinite(push_map.felling)]
     rim = 1.15 * (known.max() if len(known) else push_map.limit)
-    axes = figure.subplots(
-        rows, columns, squeeze=False, subplot_kw={"projection": "polar"},
-        gridspec_kw={"left": 0.05, "right": 0.95, "bottom": 0.65 / height, "top": 1.0 - 1.15 / height,
-                     "hspace": 0.62, "wspace": 0.45},
-    )  # fmt: skip
+    if axes is None:
+        figure: Any = WalkFigure(figsize=(WIDTH, height))
+        FigureCanvasAgg(figure)
+        grid = figure.subplots(
+            rows, columns, squeeze=False, subplot_kw={"projection": "polar"},
+            gridspec_kw={"left": 0.05, "right": 0.95, "bottom": 0.65 / height, "top": 1.0 - 1.15 / height,
+                         "hspace": 0.62, "wspace": 0.45},
+        )  # fmt: skip
+        panels: list[Any] = list(grid.ravel())
+    else:
+        panels = given_axes(axes, count)
+        figure = panels[0].figure
+        if any(ax.name != "polar" for ax in panels):
+            raise InputError('a push map needs polar axes: subplots(..., subplot_kw={"projection": "polar"})')
     around = np.radians(np.append(push_map.directions, push_map.directions[0] + 360.0))
-    for i, ax in enumerate(axes.ravel()):
+    for i, ax in enumerate(panels):
         if i >= count:
             ax.set_axis_off()
             continue
@@ -76,7 +85,9 @@ def pushes(push_map: Any) -> Figure:
         phase = push_map.phases[i]
         where = f"phase {phase:.3g}, {push_map.support(phase)} support" if np.isfinite(push_map.period) else "standing"
         ax.set_title(f"{where}\nworst {least}", fontsize=8, pad=8)
-    handles, labels = axes.ravel()[0].get_legend_handles_labels()
+    if axes is not None:
+        return figure
+    handles, labels = panels[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="upper left", bbox_to_anchor=(0.005, 1.0 - 0.25 / height), ncol=3)
     v = push_map.velocity
     speed = " / ".join(f"{value:g}" for value in (v if any(v[1:]) else v[:1]))

@@ -9,13 +9,13 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
-from .style import ESTIMATED, FAINT, MEASURED, WIDTH, WalkFigure, styled
+from .style import ESTIMATED, FAINT, MEASURED, WIDTH, WalkFigure, given_axes, styled
 
 __all__ = ["robustness"]
 
 
 @styled
-def robustness(found: Any) -> Figure:
+def robustness(found: Any, axes: Any = None) -> Figure:
     """A line of cells for each trouble, from mild to hard.
 
     Green cells stood, orange ones fell, and where only some of the walks stood a cell is green to that share. The cell
@@ -23,6 +23,7 @@ def robustness(found: Any) -> Figure:
 
     Args:
         found: what `zmpwalk.robustness` returned.
+        axes: one Axes to draw on, or None for a figure of its own.
 
     Returns:
         The figure.
@@ -31,9 +32,13 @@ def robustness(found: Any) -> Figure:
     """
     count = len(found.troubles)
     height = 0.245 * count + 0.75
-    figure = WalkFigure(figsize=(WIDTH, height))
-    FigureCanvasAgg(figure)
-    ax = figure.add_axes((0.26, 0.28 / height, 0.73, 1.0 - 0.75 / height))
+    if axes is None:
+        figure: Any = WalkFigure(figsize=(WIDTH, height))
+        FigureCanvasAgg(figure)
+        ax = figure.add_axes((0.26, 0.28 / height, 0.73, 1.0 - 0.75 / height))
+    else:
+        (ax,) = given_axes(axes, 1)
+        figure = ax.figure
     widest = max((len(trouble.levels) for trouble in found.troubles), default=1)
     for i, trouble in enumerate(found.troubles):
         for k, (level, share) in enumerate(zip(trouble.levels, trouble.stood)):
@@ -49,6 +54,8 @@ def robustness(found: Any) -> Figure:
     for side in ("left", "bottom"):
         ax.spines[side].set_visible(False)
     ax.tick_params(length=0)
+    if axes is not None:
+        return figure
     figure.suptitle(
         f"{found.robot} at {found.velocity:g} m/s: what the walk bears", x=0.012, y=1.0 - 0.08 / height, ha="left",
         va="top", fontsize=10, fontweight="bold",

@@ -55,13 +55,20 @@ def switch(trace: Trace, step: int = 0, axes: Any = None) -> Figure:
         if not chosen:
             continue
         changed = np.flatnonzero(np.diff(trace.support[rows]))
-        ax.axvline(since[-1] + 1e3 * trace.control_dt, color=FAINT, ls=":", lw=1.0, label="double support ends")
+        end = since[-1] + 1e3 * trace.control_dt
+        ax.axvline(end, color=FAINT, ls=":", lw=1.0, label=f"double support ends after {end:.0f} ms")
         if len(changed):
             moment = since[changed[0] + 1]
-            ax.axvline(moment, color=DESIRED, ls="--", lw=1.2, label=f"ZMP switches at {1e-3 * moment:.3f} s")
+            ax.axvline(moment, color=DESIRED, ls="--", lw=1.2, label=f"ZMP switches after {moment:.0f} ms")
     ax.axhline(0, color=FAINT, lw=0.6)
-    ax.set(xlabel="time in double support [ms]", ylabel="w(T) towards the foot being left [m/s]")
+    words = (
+        "w(T) is the velocity that the pendulum would have in the middle of the next step if the ZMP\n"
+        "switched now, towards the foot that it leaves. At 0 the COM turns round there: the ZMP switches."
+    )
+    ax.text(0.99, 0.98, words, transform=ax.transAxes, ha="right", va="top", fontsize=7, zorder=5,
+            bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.9, "pad": 1.5})  # fmt: skip
+    ax.set(xlabel="time in double support [ms]", ylabel="expected sideways velocity w(T) [m/s]")
     ax.set_xlim(left=0)
     legend_above(ax, 2)
-    title(figure, axes, "Expected lateral velocity at the middle of the next single support")
+    title(figure, axes, "When the ZMP goes from one foot to the other")
     return figure

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from ..trace import Trace
 from .curves import (
     LONGEST,
-    double_support_bands,
+    double_support_bars,
     end_of,
     excerpt,
     plan_changes,
@@ -47,7 +47,7 @@ def tracking(trace: Trace, start: float | None = 0.7, end: float | None = 1.2, a
     t = trace.t[rows]
     figure, (a, b, c) = new_figure(axes, 3, 1, height=6.4, ratios=(1.6, 1.1, 0.9))
     for ax in (a, b, c):
-        double_support_bands(ax, trace, rows)
+        double_support_bars(ax, trace, rows)
         plan_changes(ax, trace, rows)
     zmp_and_com(a, trace, rows, 0)
     a.set_ylabel("(a) position, forward [m]")
@@ -86,7 +86,7 @@ def velocity(trace: Trace, start: float | None = None, end: float | None = None,
     """
     rows = window(trace, start, end, LONGEST)
     figure, (ax,) = new_figure(axes, 1, 1, height=3.2)
-    double_support_bands(ax, trace, rows)
+    double_support_bars(ax, trace, rows)
     velocities(ax, trace, rows)
     ax.set(xlabel="time [s]", ylabel="forward velocity [m/s]")
     share_time(trace, rows, ax)
