@@ -340,7 +340,7 @@ def simulate_batch(
             if name not in known:
                 raise InputError(f"run {i} has '{name}'; a run has only {', '.join(known)}")
         robot, terrain = given.get("robot", "mahru"), given.get("terrain")
-        key = (robot if isinstance(robot, (str, os.PathLike)) else id(robot), terrain and Terrain.of(terrain).text)
+        key = tuple(each if isinstance(each, (str, os.PathLike)) else id(each) for each in (robot, terrain))
         if key not in robots:
             robots[key] = load_scene(robot, terrain)
         controller = WalkingController(*robots[key], given.get("settings"), given.get("profile"))

@@ -178,8 +178,8 @@ BOOST_AUTO_TEST_CASE(on_uneven_ground_a_step_ends_when_the_foot_touches) {
     double length;
     bool off_time;
   };
-  for (const Case& c : {Case{T - 0.01, T - 0.01, false}, Case{T - 0.1, T - 0.1, true}, Case{T + 0.005, T + 0.005, false},
-                        Case{T + 0.04, T + 0.04, true}, Case{9.0, longest, true}})
+  for (const Case& c : {Case{T - 0.01, T - 0.01, false}, Case{T - 0.1, T - 0.1, true},
+                        Case{T + 0.005, T + 0.005, false}, Case{T + 0.04, T + 0.04, true}, Case{9.0, longest, true}})
     BOOST_TEST_CONTEXT("touches at " << c.on) {
       FirstSwing swing(s, true);
       CHECK_NEAR(swing.length(gone(0.03, c.on)), c.length, kCycle);

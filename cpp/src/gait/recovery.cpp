@@ -23,13 +23,13 @@ constexpr double kForget = 10.0;  // time constant with which a push is forgotte
 constexpr double kPushed = 0.5;       // urgency from which the robot counts as pushed
 constexpr double kFreezeLate = 0.95;  // share of the single support until which a pushed robot moves its foothold
 
-// A sole that tips over an edge of the ground, lengths as shares of the sole's half length or half width.
+// A sole that tips over an edge of the ground, lengths as shares of the sole's half length.
 constexpr double kTips = 0.3;      // a sole that turns faster than this is not flat on the ground [rad/s]
 constexpr double kWithin = 0.8;    // an edge further out is that of the sole
 constexpr double kBeyond = 0.2;    // so far the forces must be from where the torque should have put them
 constexpr double kOffEdge = 0.1;   // the ZMP keeps so far from the edge that was found
 constexpr double kSure = 0.043;    // how long that must last [T_c]
-constexpr double kRegained = 1.1;  // time in which half the sole's length or width is tried again [T_c]
+constexpr double kRegained = 1.1;  // time in which half the sole's length is tried again [T_c]
 
 // Times in T_c.
 constexpr double kDecided = 0.36;  // a foot that is to land this soon keeps its time, so that it lands calmly
@@ -139,35 +139,25 @@ void GaitGenerator::recover(const GaitInput& in) {
 
 void GaitGenerator::mind_footing(const GaitInput& in) {
   const Side side = out_.support;
-  if (footed_ != side || !footing_.found) {
-    footed_ = side;
-    footing_ = Footing{};
-    footing_.found = true;
-  }
-  const double dt = settings_.control.dt, Tc = pendulum_.Tc();
-  const Vec3 omega = in.R_sole[side].transpose() * in.omega_sole[side];
-  const Vec2 tips(omega.y(), -omega.x());  // how fast the sole tips forward and to the left
-  const Vec2 &cop = in.cop[side], &expected = in.cop_expected[side], &half = whole_[side].upper;
-  const bool known = cop.allFinite() && expected.allFinite();
-  ZmpBounds& carries = footing_.carries;
-  for (int i = 0; i < 2; ++i) {
-    const double regained = half[i] * dt / (kRegained * Tc), keep = kOffEdge * half[i];
-    carries.lower[i] -= regained;
-    carries.upper[i] += regained;
-    // The sole turns about an edge of the ground where the forces are not where the torque should have put them, but nearer to the middle. At the edge of
-    // the sole itself it turns as it lands.
-    const bool within = known && std::abs(cop[i]) < kWithin * half[i];
-    const double beyond = known ? expected[i] - cop[i] : 0.0;
-    double &forward = footing_.tips_up[i], &back = footing_.tips_down[i];
-    forward = within && tips[i] > kTips && beyond > kBeyond * half[i] ? forward + dt : 0.0;
-    back = within && tips[i] < -kTips && beyond < -kBeyond * half[i] ? back + dt : 0.0;
-    if (forward > kSure * Tc) carries.upper[i] = std::min(carries.upper[i], cop[i] - keep);
-    if (back > kSure * Tc) carries.lower[i] = std::max(carries.lower[i], cop[i] + keep);
-    if (carries.lower[i] > carries.upper[i]) continue;  // it rocks both ways
-    const double lower = out_.room.lower[i], upper = out_.room.upper[i];
-    out_.room.lower[i] = std::clamp(carries.lower[i], lower, upper);
-    out_.room.upper[i] = std::clamp(carries.upper[i], lower, upper);
-  }
+  const double dt = settings_.control.dt, Tc = pendulum_.Tc(), half = whole_[side].upper.x();
+  if (footing_.side != side) footing_ = Footing{side};
+  Footing& footing = footing_;
+  // The sole turns about an edge of the ground where the forces are not where the torque should have put them, but nearer to the middle. At its own
+  // edge it turns as it lands.
+  const double cop = in.cop[side], beyond = in.cop_expected[side] - cop;  // not-a-number makes no comparison true
+  const double tips = in.R_sole[side].col(1).dot(in.omega_sole[side]);
+  const bool within = std::abs(cop) < kWithin * half;
+  footing.tips_ahead = within && tips > kTips && beyond > kBeyond * half ? footing.tips_ahead + dt : 0.0;
+  footing.tips_back = within && tips < -kTips && beyond < -kBeyond * half ? footing.tips_back + dt : 0.0;
+  const double regained = half * dt / (kRegained * Tc), keep = kOffEdge * half;
+  footing.lower -= regained;
+  footing.upper += regained;
+  if (footing.tips_ahead > kSure * Tc) footing.upper = std::min(footing.upper, cop - keep);
+  if (footing.tips_back > kSure * Tc) footing.lower = std::max(footing.lower, cop + keep);
+  if (footing.lower > footing.upper) return;  // it rocks both ways
+  const double lower = out_.room.lower.x(), upper = out_.room.upper.x();
+  out_.room.lower.x() = std::clamp(footing.lower, lower, upper);
+  out_.room.upper.x() = std::clamp(footing.upper, lower, upper);
 }
 
 void GaitGenerator::adjust_time(const GaitInput& in) {

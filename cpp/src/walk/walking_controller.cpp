@@ -20,11 +20,10 @@ RobotDescription with_limits(RobotDescription description, const std::map<std::s
 
 double whole_fraction(const WalkSettings& s) { return std::max(s.zmp.whole_fraction, s.zmp.sole_fraction); }
 
-/// Where the measured wrench presses the sole, in its axes [m]; NaN where it is not known or the foot hardly touches.
-Vec2 pressed_at(const FrameState& sole, const Vec6& wrench) {
-  const Vec3 F = sole.R_WF.transpose() * wrench.head<3>(), M = sole.R_WF.transpose() * wrench.tail<3>();
-  if (!(std::abs(F.z()) >= kMinNormalForce)) return Vec2::Constant(kNaN);
-  return zmp_of_wrench(F, M);
+/// How far ahead of its middle a wrench presses a sole [m]; NaN where it is not known or the foot hardly touches.
+double pressed_at(const FrameState& sole, const Vec6& wrench) {
+  const double F = sole.R_WF.col(2).dot(wrench.head<3>()), M = sole.R_WF.col(1).dot(wrench.tail<3>());
+  return std::abs(F) >= kMinNormalForce ? -M / F : kNaN;
 }
 
 double top_speed(const VelocityProfile& profile) {
@@ -312,7 +311,7 @@ void WalkingController::cycle(const State& state) {
   const bool measured = settings_.com.state == ComState::kMeasured;
   const Vec2 com = measured ? Vec2(dyn.com.head<2>()) : com_des_,
              dcom = measured ? Vec2(dyn.dcom.head<2>()) : dcom_des_;
-  const ForcedPendulum forced = forced_pendulum(dyn, height_.ground());
+  const ForcedPendulum forced = forced_pendulum(dyn, ground_.height());
   if (height_.weigh(forced.gravity)) follow_pendulum();
   if (Vec3 live; mailbox_.take(live) && live != out_.command) gait_.command(out_.command = live);
   GaitInput in = gait_input(t, com + forced.shift, dcom);
@@ -320,7 +319,7 @@ void WalkingController::cycle(const State& state) {
   if (settings_.gait.touch_down == TouchDown::kFelt)
     for (const Side side : kSides) {
       in.cop[side] = pressed_at(dyn.sole[side], state.wrench[side]);
-      in.cop_expected[side] = pressed_at(dyn.sole[side], out_.f_c.segment<6>(6 * side));
+      if (!std::isnan(in.cop[side])) in.cop_expected[side] = pressed_at(dyn.sole[side], out_.f_c.segment<6>(6 * side));
     }
   const GaitOutput& gait = gait_.update(in);
   ground_.update(gait, dyn);

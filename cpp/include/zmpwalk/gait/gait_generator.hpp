@@ -29,10 +29,9 @@ struct GaitInput {
   double ground = kNaN;
   Vec2 contact = Vec2::Constant(kNaN);  ///< whether each foot touches the ground: 1 yes, 0 no, NaN unknown
   bool uneven = false;                  ///< the ground has been felt to be uneven
-  /// Where the wrench of each foot presses its sole, in the sole's axes (2,) [m]: as it is measured, and as the last torque should have had it. NaN where
+  /// How far ahead of its middle the wrench of each foot presses its sole [m]: as it is measured, and as the last torque should have had it. NaN where
   /// that is not known, or the foot hardly touches.
-  std::array<Vec2, 2> cop{Vec2::Constant(kNaN), Vec2::Constant(kNaN)};
-  std::array<Vec2, 2> cop_expected{Vec2::Constant(kNaN), Vec2::Constant(kNaN)};
+  std::array<double, 2> cop{kNaN, kNaN}, cop_expected{kNaN, kNaN};
   std::array<Vec3, 2> omega_sole{Vec3::Zero(), Vec3::Zero()};  ///< angular velocity of the soles, W [rad/s]
 };
 
@@ -127,7 +126,8 @@ class GaitGenerator {
   void begin_walk(const GaitInput& in);
   bool has_landed(const GaitInput& in);
   bool is_felt(const GaitInput& in, bool due);  // the landing, where touch_down is "felt"
-  void mind_footing(const GaitInput& in);       // a sole that tips over an edge of the ground gives up what is beyond
+  void mind_footing(
+      const GaitInput& in);  // a sole that tips fore or aft over an edge of the ground gives up what is beyond
   void move_swing_foot(const GaitInput& in);
   void move_ahead(const GaitInput& in);
   void move_sideways(const GaitInput& in);
@@ -199,15 +199,13 @@ class GaitGenerator {
     kOverdue    // the foot met no ground where it should have, and goes on down
   };
   Swing swing_ = Swing::kLifting;
+  static constexpr double kNoEdge = 1.0;  // beyond every sole [m]
   struct Footing {
-    bool found = false;  // it belongs to this stance
-    ZmpBounds carries{Vec2::Constant(-1.0),
-                      Vec2::Constant(1.0)};  // what has been found to carry, in the sole's axes [m]
-    Vec2 tips_up = Vec2::Zero(),
-         tips_down = Vec2::Zero();  // how long the sole has tipped along an axis, and against it [s]
+    Side side = kLeft;
+    double lower = -kNoEdge, upper = kNoEdge;  // what of it has been found to carry, along its x axis [m]
+    double tips_ahead = 0.0, tips_back = 0.0;  // for how long it has tipped over an edge of the ground [s]
   };
-  Footing footing_;                         // of the support sole
-  Side footed_ = kLeft;                     // that sole
+  Footing footing_;                         // of the support sole, in this stance
   std::array<bool, 2> felt_{false, false};  // whether the contact of each foot has been measured in this walk
   double period_ = 0.0;                     // period of the step after this one [s]
   Vec3 command_, allowance_;

@@ -22,10 +22,10 @@ class FeltGround {
   void update(const GaitOutput& gait, const Dynamics& dynamics);
 
   bool uneven() const { return uneven_; }
-  double height() const { return start_ + h_; }   ///< of the ground that is followed, W [m]
-  double rise() const { return h_; }              ///< since the start [m]
-  double drise() const { return dh_; }            ///< [m/s]
-  double ddrise() const { return ddh_; }          ///< [m/s^2]
+  double height() const { return start_ + h_; }  ///< of the ground that is followed, W [m]
+  double rise() const { return h_; }             ///< since the start [m]
+  double drise() const { return dh_; }           ///< [m/s]
+  double ddrise() const { return ddh_; }         ///< [m/s^2]
 
  private:
   bool feels_;
