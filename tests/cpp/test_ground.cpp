@@ -45,14 +45,17 @@ struct Standing {
   GaitOutput gait;
 };
 
+GaitInput stand(const Mat3& R) {
+  GaitInput in;
+  in.p_sole = {R * Vec3(0, 0.11, 0), R * Vec3(0, -0.11, 0)};
+  in.R_sole = {R, R};
+  return in;
+}
+
 /// The first single support of a walk.
 struct FirstSwing {
-  explicit FirstSwing(const WalkSettings& s, bool uneven)
-      : walk(s, kAhead, kPendulum, {kBounds, kBounds}, kSole, [] {
-          GaitInput in;
-          in.p_sole = {Vec3(0, 0.11, 0), Vec3(0, -0.11, 0)};
-          return in;
-        }()) {
+  FirstSwing(const WalkSettings& s, bool uneven, const Mat3& R = Mat3::Identity())
+      : walk(s, kAhead, kPendulum, {kBounds, kBounds}, kSole, stand(R)) {
     walk.in.uneven = uneven;
   }
   /// Its length [s], where the foot is off the ground when `flies` says so; not-a-number: not known.
@@ -223,4 +226,70 @@ BOOST_AUTO_TEST_CASE(on_uneven_ground_the_foot_rises_before_it_goes_ahead_and_co
     BOOST_CHECK_EQUAL(early - x < 1e-9, uneven);
     BOOST_CHECK_EQUAL(late < 2e-3, uneven);
   }
+}
+
+namespace {
+
+/// A walk on one foot, whose sole tips.
+struct Tipping {
+  explicit Tipping(double yaw = 0.0) : R(rotation_z(yaw)), first(settings(), false, R) {
+    while (walk().gait.output().phase.phase == Phase::kDoubleSupport || walk().gait.output().phase.time < 0.1)
+      walk().step();
+  }
+  PointWalk& walk() { return first.walk; }
+  /// Goes on for `time` [s] while the sole turns at `tips` [rad/s], pressed at `cop` and not at `expected` [m].
+  const ZmpBounds& run(double time, double cop, double expected, double tips) {
+    const Side side = walk().gait.output().support;
+    walk().in.cop[side] = cop;
+    walk().in.cop_expected[side] = expected;
+    walk().in.omega_sole[side] = tips * R.col(1);
+    for (long k = std::lround(time / walk().dt); k > 0; --k) walk().step();
+    return walk().gait.output().room;
+  }
+
+  Mat3 R;
+  FirstSwing first;
+};
+
+constexpr double kHalf = 0.09, kKeep = 0.009;  // half length of the bounds, and what is kept from an edge [m]
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_sole_that_tips_over_an_edge_gives_up_what_is_beyond_and_tries_it_again) {
+  for (const double yaw : {0.0, 0.7})
+    for (const double way : {1.0, -1.0}) {
+      Tipping sole(yaw);
+      const auto bound = [&](const ZmpBounds& room) { return way > 0.0 ? room.upper.x() : -room.lower.x(); };
+      CHECK_NEAR(bound(sole.run(0.011, way * 0.03, way * 0.06, way)), kHalf, 1e-12);
+      const ZmpBounds room = sole.run(0.002, way * 0.03, way * 0.06, way);
+      CHECK_NEAR(bound(room), 0.03 - kKeep, 1e-12);
+      CHECK_NEAR(way > 0.0 ? room.lower.x() : room.upper.x(), -way * kHalf, 1e-12);
+      const double rate = kHalf / (1.1 * kPendulum.Tc());
+      CHECK_NEAR(bound(sole.run(0.1, way * 0.02, way * 0.02, 0.0)), 0.03 - kKeep + 0.1 * rate, 1e-9);
+      CHECK_NEAR(bound(sole.run(0.2, way * 0.02, way * 0.02, 0.0)), kHalf, 1e-12);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_sole_keeps_its_room_where_it_does_not_tip_over_an_edge_of_the_ground) {
+  struct Case {
+    const char* what;
+    double cop, expected, tips;
+  };
+  for (const Case& c :
+       {Case{"forces where they should be", 0.03, 0.035, 1.0}, Case{"it turns the other way", 0.03, 0.06, -1.0},
+        Case{"it hardly turns", 0.03, 0.06, 0.2}, Case{"it turns about its own edge", 0.08, 0.12, 1.0},
+        Case{"nothing is measured", kNaN, 0.06, 1.0}, Case{"nothing is expected", 0.03, kNaN, 1.0}})
+    BOOST_TEST_CONTEXT(c.what) {
+      const ZmpBounds room = Tipping().run(0.1, c.cop, c.expected, c.tips);
+      CHECK_NEAR(room.upper.x(), kHalf, 1e-12);
+      CHECK_NEAR(room.lower.x(), -kHalf, 1e-12);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(what_one_sole_has_found_is_forgotten_by_the_next_stance) {
+  Tipping sole;
+  const Side side = sole.walk().gait.output().support;
+  while (sole.walk().gait.output().support == side) sole.run(sole.walk().dt, 0.0, 0.06, 1.0);
+  const ZmpBounds& room = sole.run(sole.walk().dt, kNaN, kNaN, 0.0);
+  CHECK_NEAR(room.upper.x(), kHalf, 1e-12);
 }
