@@ -303,6 +303,10 @@ class FallSettingsDict(typing.TypedDict, total=False):
 class WalkSettings:
     __hash__: typing.ClassVar[None] = None
     @staticmethod
+    def __repr__(settings: WalkSettings) -> str: ...
+    @staticmethod
+    def _repr_html_(settings: WalkSettings) -> str: ...
+    @staticmethod
     def find(name: str) -> Setting:
         """
         The row of one setting.
@@ -319,7 +323,6 @@ class WalkSettings:
     def __deepcopy__(self, arg0: dict) -> WalkSettings: ...
     def __eq__(self, arg0: WalkSettings) -> bool: ...
     def __getstate__(self) -> dict: ...
-    def __repr__(self) -> str: ...
     def __setstate__(self, arg0: dict) -> None: ...
     def to_dict(self) -> dict:
         """
@@ -2445,6 +2448,10 @@ class RobotDescription:
     """
     Everything that the controller has to be told about a robot in a model. Bodies, joints and sites are named.
     """
+    @staticmethod
+    def __repr__(description: RobotDescription) -> str: ...
+    @staticmethod
+    def _repr_html_(description: RobotDescription) -> str: ...
     def __init__(
         self,
         *,
