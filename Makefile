@@ -4,7 +4,8 @@
 SHELL := bash
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-MAKEFLAGS += --no-print-directory
+# No built-in rule: one would compile a program cpp/src/simulation, because a folder has that name.
+MAKEFLAGS += --no-print-directory --no-builtin-rules
 
 PYTHON ?=
 PYTEST_ARGS ?=
@@ -13,7 +14,7 @@ DEMO_OUT ?= out/demo
 SANITIZE ?= address,undefined
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: help demo test pytest ctest sanitize bench ladder pushes soak instructions same native peers wheel wheel-check adapters matrix sdist stubs columns format lint check-all clean
+.PHONY: help demo test pytest ctest sanitize bench ladder pushes soak instructions same native peers smoke wheel wheels wheels-arm wheel-check adapters matrix sdist stubs columns docs format lint check-all clean
 
 help:
 	@echo 'make demo         walk the paper'\''s experiment; figures, trace and summary go to $(DEMO_OUT)'
@@ -27,10 +28,14 @@ help:
 	@echo 'make instructions instructions of a cycle against the record (needs valgrind);  make native  against -march=native'
 	@echo 'make same         whether the working tree walks bit for bit as BASE does (BASE=HEAD~3; without it, HEAD)'
 	@echo 'make wheel        dist/*.whl;  make wheel-check  install it into an empty environment and walk;  make sdist'
-	@echo 'make adapters     an adapter to every MuJoCo, for make wheel ADAPTERS=all;  make matrix  walks under many of them'
+	@echo 'make wheels       dist/*.whl for every Python that is here, with the adapters to every MuJoCo;  make wheels-arm  for aarch64'
+	@echo 'make matrix       installs these wheels beside eight MuJoCo versions and walks (docs/mujoco.md)'
+	@echo 'make adapters     layouts, adapters and attributes of every MuJoCo release anew (docs/mujoco.md)'
+	@echo 'make smoke        the tests that depend on MuJoCo, under versions between the two of make test'
 	@echo 'make format       clang-format, ruff, gersemi, nbstripout;  make lint  the same as a check, and mypy'
 	@echo 'make stubs        python/zmpwalk/_core.pyi from the built module, and `make columns`'
 	@echo 'make columns      docs/columns.md and python/zmpwalk/_columns.py from the table of recorded columns'
+	@echo 'make docs         the site of docs/ into build/site; warnings are errors, and it needs no network'
 	@echo 'make check-all    test on every Python there is (3.8 to 3.13), sanitize, lint, wheel-check'
 	@echo 'make clean        remove build/ and dist/'
 	@echo
@@ -110,12 +115,17 @@ $(B)/test.stamp: $(B)/base.stamp
 $(B)/dev.stamp: $(B)/test.stamp
 	$(call install_requirements,reference test lint)
 
+# Two cores serve every Python here: that of the package, and that of the C++ tests with heap watch and assertions on.
+core = .ci/core $(1) $(VENV) $(2)
+core_file = $(CURDIR)/build/core/$(1)/libzmpwalk_core.a
+
 # Not editable: the tests meet what a user gets, so that a file missing from the package fails here. The build folder is
 # kept, so that only what changed is compiled.
 $(B)/installed.stamp: $(B)/base.stamp $(SOURCES)
 	@echo '-- building and installing zmpwalk'
-	@$(PIP) install --no-build-isolation --no-deps --force-reinstall --config-settings=build-dir=$(B)/extension . \
-		$(call QUIETLY,install)
+	@$(call core,release) $(call QUIETLY,core)
+	@$(PIP) install --no-build-isolation --no-deps --force-reinstall --config-settings=build-dir=$(B)/extension \
+		--config-settings=cmake.define.ZMPWALK_CORE=$(call core_file,release) . $(call QUIETLY,install)
 	@touch $@
 
 # ---- demo
@@ -135,7 +145,12 @@ pytest:
 	@$(AGAIN) $(B)/test.stamp $(B)/installed.stamp
 	@set -o pipefail; MPLBACKEND=Agg $(PY) -m pytest $(PYTEST_ARGS) 2>&1 | tee $(B)/pytest.log
 
-# The core is compiled once more, with its heap watch and assertions on, against the same MuJoCo.
+# The installed core meets other MuJoCo versions: each is unpacked into a folder of its own and gets its adapter.
+SMOKE := 2.3.7 3.1.6 3.3.7 3.8.1 3.17.0
+smoke: $(B)/test.stamp $(B)/installed.stamp
+	@MPLBACKEND=Agg $(PY) packaging/smoke.py $(B)/smoke $(SMOKE)
+
+# The tests meet a core with heap watch and assertions on, and the same MuJoCo.
 configure_tests = cmake -S . -B $(B)/$(1) -G Ninja -DPython_EXECUTABLE=$(PY) -DZMPWALK_BUILD_PYTHON=OFF \
 	-DZMPWALK_BUILD_TESTS=ON -DZMPWALK_WERROR=$(WERROR) $(2) $(call QUIETLY,configure-$(1))
 run_ctest = cd $(B)/$(1) && ctest --output-on-failure --no-tests=error --timeout $(2) -j $(JOBS) $(CTEST_ARGS)
@@ -145,7 +160,8 @@ ctest:
 	@echo 'ctest did not start' >$(B)/ctest.log
 	@$(AGAIN) $(B)/test.stamp
 	@echo '-- building the C++ tests'
-	@$(call configure_tests,cpp)
+	@$(call core,tests,-DZMPWALK_BUILD_TESTS=ON -DZMPWALK_WERROR=$(WERROR))
+	@$(call configure_tests,cpp,-DZMPWALK_CORE=$(call core_file,tests))
 	@cmake --build $(B)/cpp
 	@set -o pipefail; ($(call run_ctest,cpp,600)) 2>&1 | tee $(B)/ctest.log
 
@@ -194,21 +210,24 @@ native: $(B)/base.stamp
 	@$(PY) benchmarks/native.py $(B)/cycle/cycle $(B)/cycle-native/cycle
 
 # ---- packages
-# With ADAPTERS=all the wheel serves every MuJoCo that cpp/adapter/layouts.py knows, else the one of this environment.
-ADAPTERS ?=
-ALL_ADAPTERS := $(filter all,$(ADAPTERS))
-wheel: $(B)/base.stamp $(if $(ALL_ADAPTERS),adapters)
+wheel: $(B)/base.stamp
 	@rm -rf $(B)/wheel
-	@$(PIP) wheel --no-deps --wheel-dir $(B)/wheel $(if $(ALL_ADAPTERS),-Ccmake.define.ZMPWALK_ADAPTERS=$(CURDIR)/build/adapters) . \
-		$(call QUIETLY,wheel)
+	@$(PIP) wheel --no-deps --wheel-dir $(B)/wheel . $(call QUIETLY,wheel)
 	@mkdir -p dist && cp $(B)/wheel/*.whl dist/ && ls $(B)/wheel/*.whl | sed 's,.*/,dist/,'
+
+# Wheels for every Python that is here, with all adapters, for old Linux systems.
+wheels: $(B)/venv.stamp
+	@$(PY) packaging/wheels.py $(WHEELS_ARGS)
+
+wheels-arm: $(B)/venv.stamp
+	@$(PY) packaging/wheels.py --target aarch64 --python 3.11 $(WHEELS_ARGS)
+
+matrix: wheels
+	@$(PY) packaging/matrix.py dist/*$$(uname -m).whl $(MATRIX_ARGS)
 
 adapters: $(B)/venv.stamp
 	@$(PY) cpp/adapter/layouts.py build/mujoco --adapters build/adapters
-
-matrix:
-	@$(AGAIN) wheel ADAPTERS=all
-	@$(PY) benchmarks/mujoco_matrix.py $(B)/wheel/*.whl $(MATRIX_ARGS)
+	@$(PY) cpp/adapter/attributes.py build/mujoco
 
 wheel-check: wheel
 	@if $(PY) -m zipfile -l $(B)/wheel/*.whl | grep libmujoco; then echo 'the wheel holds libmujoco' >&2; exit 1; fi
@@ -241,6 +260,10 @@ lint: $(B)/dev.stamp $(B)/installed.stamp
 
 columns: $(B)/installed.stamp
 	$(PY) docs/make_columns.py
+
+docs: $(B)/test.stamp $(B)/installed.stamp
+	$(PY) -m sphinx -q -W --keep-going -b html docs build/site
+	@echo 'the site is build/site/index.html'
 
 stubs: $(B)/dev.stamp $(B)/installed.stamp columns
 	cd $(B) && $(VENV)/bin/pybind11-stubgen zmpwalk._core -o stubs >/dev/null

@@ -42,6 +42,7 @@ def row(edit, settings, duration):
     single = analysis.zmp_error(trace, single_support=True)
     return {
         "duration": duration,
+        "steps": summary["step_count"],
         "fell": bool(summary["fell"]),
         "speed_error_percent": float(100 * np.abs(walked / planned - 1).max()),
         "median_mm": (1e3 * np.median(analysis.zmp_error(trace), axis=0)).tolist(),

@@ -1,6 +1,6 @@
 """Which humanoids of MuJoCo Menagerie walk: `python benchmarks/menagerie.py [NAME...]`, Python 3.11 or later.
 
-Needs the package mujoco-menagerie (`pip install "zmpwalk[robots]"`) and its downloads, or a checkout in MENAGERIE_ROOT.
+Needs the package mujoco-menagerie (`pip install mujoco-menagerie`) and its downloads, or a checkout in MENAGERIE_ROOT.
 Each robot is described by `zmpwalk.robots` and walks with the defaults. Prints the table of docs/menagerie.md.
 """
 

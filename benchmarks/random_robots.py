@@ -17,7 +17,7 @@ from pages import write_blocks
 from rich.console import Console
 from rich.progress import track
 from zmpwalk import analysis
-from zmpwalk.robots import propose
+from zmpwalk.robots import humanoid, propose
 
 FROUDE, RAMP, DURATION = 0.06, 3.0, 10.0  # of the walk: speed, [s], [s]
 REASONS = ("torque: ", "reach: ", "a usual walk", "the soles are meshes", "cannot hold", "refuses it")  # in remarks
@@ -47,7 +47,7 @@ def walk(seed, duration=DURATION):
     try:
         proposal = propose(model)
         row["remarks"] = proposal.remarks
-        v = FROUDE * float(np.sqrt(generator.G * proposal.table["com_height_m"]))
+        v = FROUDE * float(np.sqrt(humanoid.G * proposal.table["com_height_m"]))
         profile = zmpwalk.VelocityProfile.ramp(0.0, v, RAMP)
         trace = zmpwalk.simulate((model, proposal.description), profile, duration)
     except zmpwalk.Error as error:
@@ -102,7 +102,7 @@ def results(rows):
 
 def limits():
     """Lines of markdown: what the generator draws."""
-    g = generator
+    g, h = generator, humanoid
 
     def span(pair, factor=1):
         return f"{factor * pair[0]:g} to {factor * pair[1]:g}"
@@ -111,7 +111,7 @@ def limits():
     rows = [
         ("leg = thigh + shank", span(g.LEG) + " m"),
         ("thigh", span(g.THIGH) + " of the leg"),
-        ("mass", f"{span(g.MASS)} times {g.DENSITY:g} kg/m³ leg³ (log)"),
+        ("mass", f"{span(g.MASS)} times {h.DENSITY:g} kg/m³ leg³ (log)"),
         ("foot length", span(g.FOOT_LENGTH) + " of the leg"),
         ("foot width", f"{span(g.FOOT_WIDTH)} of the leg, at most {g.WIDEST:g} of the hips' distance"),
         ("ankle over the sole", f"{span(g.HEEL)} of the length from the heel, {span(g.ANKLE_SIDE)} of the width off"),
@@ -126,14 +126,14 @@ def limits():
         ("armature", f"none, or {span(g.ARMATURE)} mass leg² (log)"),
         ("damping", f"none, or {span(g.DAMPING)} mass g leg √(leg / g) (log)"),
         ("dry friction", f"none, or {span(g.FRICTION)} mass g leg (log)"),
-        ("the last three in arms and neck", f"{g.ARM_SHARE:g} of that"),
+        ("the last three in arms and neck", f"{h.ARM_SHARE:g} of that"),
         ("gear", f"1, or {span(g.GEAR)} (log)"),
         ("hip, ankle", f"{', '.join(g.HIPS)}; {', '.join(g.ANKLES)} (y yaw, r roll, p pitch; from the trunk down)"),
         ("base", "pelvis, or trunk (waist inside the legs' chain)"),
-        ("waist, neck", f"{', '.join(w or 'none' for w in g.WAISTS)}; 0 to {len(g.NECK)} joints"),
-        ("arms", f"none, or 2 to {len(g.ARM)} joints each"),
+        ("waist, neck", f"{', '.join(w or 'none' for w in h.WAISTS)}; 0 to {len(h.NECK)} joints"),
+        ("arms", f"none, or 2 to {len(h.ARM)} joints each"),
         ("links", "one hinge a body, or several; axes as named, or some turned round"),
-        ("sole", ", ".join(g.FEET)),
+        ("sole", ", ".join(h.FEET)),
         ("timestep; contact's solref", f"{', '.join(map(str, g.TIMESTEPS))}; {', '.join(map(str, g.SOLREFS))} s"),
     ]
     yield "| drawn | limits (uniform; log: log-uniform) |"

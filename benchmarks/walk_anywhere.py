@@ -71,9 +71,9 @@ def live(points):
 
 
 def walk(speed):
-    """Arguments of a walk of the ladder."""
-    ramp = speed / RAMP
-    return {"profile": VelocityProfile.ramp(0.0, speed, ramp), "duration": ramp + STEADY}
+    """Arguments of a walk of the ladder. No limit of commands holds it back, so that it shows where the robot falls."""
+    ramp, free = speed / RAMP, {"command_limit": False}
+    return {"profile": VelocityProfile.ramp(0.0, speed, ramp), "duration": ramp + STEADY, "settings": free}
 
 
 def stops(times=STOPS):

@@ -32,7 +32,21 @@ void bind_description(py::module_& m) {
       .def_readonly("sole_quat", &Foot::sole_quat, "sole axes in the body's frame (w, x, y, z)")
       .def_readonly("length", &Foot::length, "of the sole [m]")
       .def_readonly("width", &Foot::width, "of the sole [m]")
-      .def_readonly("leg_joints", &Foot::leg_joints, "six joint names, hip to ankle");
+      .def_readonly("leg_joints", &Foot::leg_joints, "six joint names, hip to ankle")
+      .def(py::pickle(
+          [](const Foot& f) {
+            return py::make_tuple(f.body, f.sole_site, f.sole_pos, f.sole_quat, f.length, f.width, f.leg_joints);
+          },
+          [](const py::tuple& s) {
+            require_size("the state of a Foot", static_cast<long>(s.size()), 7);
+            return Foot{s[0].cast<std::string>(),
+                        s[1].cast<std::string>(),
+                        s[2].cast<Vec3>(),
+                        s[3].cast<Eigen::Vector4d>(),
+                        s[4].cast<double>(),
+                        s[5].cast<double>(),
+                        s[6].cast<std::vector<std::string>>()};
+          }));
 
   py::class_<RobotDescription>(
       m, "RobotDescription",
@@ -65,6 +79,24 @@ void bind_description(py::module_& m) {
       .def_readonly("stand_base_quat", &RobotDescription::stand_base_quat, "base orientation (w, x, y, z)")
       .def_readonly("stand_keyframe", &RobotDescription::stand_keyframe)
       .def_readonly("torque_limits", &RobotDescription::torque_limits, "by joint name, in place of the model's [N m]")
+      .def(py::pickle(
+          [](const RobotDescription& d) {
+            return py::make_tuple(d.name, d.root_joint, d.feet[kLeft], d.feet[kRight], d.stand_joints, d.stand_base_pos,
+                                  d.stand_base_quat, d.stand_keyframe, d.torque_limits);
+          },
+          [](const py::tuple& s) {
+            require_size("the state of a RobotDescription", static_cast<long>(s.size()), 9);
+            RobotDescription d;
+            d.name = s[0].cast<std::string>();
+            d.root_joint = s[1].cast<std::string>();
+            d.feet = {s[2].cast<Foot>(), s[3].cast<Foot>()};
+            d.stand_joints = s[4].cast<std::map<std::string, double>>();
+            d.stand_base_pos = s[5].cast<Vec3>();
+            d.stand_base_quat = s[6].cast<Eigen::Vector4d>();
+            d.stand_keyframe = s[7].cast<std::string>();
+            d.torque_limits = s[8].cast<std::map<std::string, double>>();
+            return d;
+          }))
       .def(
           "check", [](const RobotDescription& d, const py::object& model) { d.check(model_of(model)); }, "model"_a,
           "Raises ModelError unless this robot is in `model` and can walk.")

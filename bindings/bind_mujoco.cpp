@@ -14,7 +14,10 @@ Struct* pointer_of(const py::object& object, const char* type, PyObject*& wanted
     throw py::type_error(std::string("expected a mujoco.") + type + ", got " +
                          std::string(py::str(py::type::of(object).attr("__name__"))));
   static PyObject* const address = PyUnicode_InternFromString("_address");
-  const auto number = py::reinterpret_steal<py::object>(PyObject_GetAttr(object.ptr(), address));
+  // A class that inherits from it may say anything: its base class is asked.
+  const bool own = Py_TYPE(object.ptr()) == reinterpret_cast<PyTypeObject*>(wanted);
+  const auto number = own ? py::reinterpret_steal<py::object>(PyObject_GetAttr(object.ptr(), address))
+                          : py::object(py::handle(wanted).attr("_address").attr("__get__")(object));
   if (!number) throw py::error_already_set();
   return reinterpret_cast<Struct*>(number.cast<std::uintptr_t>());
 }

@@ -58,7 +58,7 @@ Row row_of(const T& value, const Setting& row) {
 }
 
 /// What the setting is for, its unit, its words and its default, in one paragraph.
-std::string text_of(const Row& row) {
+std::string row_text(const Row& row) {
   std::string text = row.meaning + (row.unit.empty() ? "" : " Unit: " + row.unit + ".");
   for (std::size_t i = 0; i < row.words.size(); ++i) {
     const std::string& meaning = row.meanings[i];
@@ -216,7 +216,7 @@ std::string documentation() {
         std::string("    ") + group.kGroup + ": " + group.kMeaning + " A dict, or " + class_name(group.kGroup) + ".\n";
     visit_group(group, [&](const auto& member, const Setting& row) {
       const std::string name = row.name, word = name == row.flat ? "" : " (" + std::string(row.flat) + ")";
-      text += "        " + name + word + ": " + text_of(row_of(member, row)) + "\n";
+      text += "        " + name + word + ": " + row_text(row_of(member, row)) + "\n";
     });
   });
   return text +
@@ -228,7 +228,7 @@ template <class Group>
 void bind_group(py::module_& m, py::class_<WalkSettings>& cls, const Group& defaults) {
   py::class_<Group> group(m, class_name(Group::kGroup).c_str(), Group::kMeaning);
   visit_group(defaults, [&](const auto& member, const Setting& row) {
-    const std::string name = row.name, path = row.path(), doc = text_of(row_of(member, row));
+    const std::string name = row.name, path = row.path(), doc = row_text(row_of(member, row));
     group.def_property(
         row.name, [name](const Group& g) { return py::object(group_dict(g)[py::str(name)]); },
         [name, path](Group& g, const py::object& value) {
@@ -278,8 +278,8 @@ void bind_settings(py::module_& m) {
       .def_readonly("default", &Row::default_value, "default; NaN where it depends on the robot")
       .def_readonly("rule", &Row::rule, "how the robot gives its default; '' where it does not depend on the robot")
       .def_readonly("meaning", &Row::meaning, "what it is for")
-      .def_property_readonly("text", &text_of, "what it is for, its unit, its words and its default, in one paragraph")
-      .def("__repr__", [](const Row& r) { return "Setting(" + r.group + "." + r.name + ": " + text_of(r) + ")"; });
+      .def_property_readonly("text", &row_text, "what it is for, its unit, its words and its default, in one paragraph")
+      .def("__repr__", [](const Row& r) { return "Setting(" + r.group + "." + r.name + ": " + row_text(r) + ")"; });
   py::class_<WalkSettings> cls(m, "WalkSettings");
   const std::string text = documentation();
   cls.def(py::init([](const std::string& law, const py::kwargs& keywords) { return from_keywords(law, keywords); }),
@@ -288,7 +288,7 @@ void bind_settings(py::module_& m) {
   const WalkSettings defaults;
   visit_groups(defaults, [&](const auto& group) { bind_group(m, cls, group); });
   visit_settings(defaults, [&](const auto& member, const Setting& row) {
-    const std::string flat = row.flat, doc = row.path() + ": " + text_of(row_of(member, row));
+    const std::string flat = row.flat, doc = row.path() + ": " + row_text(row_of(member, row));
     cls.def_property(
         row.flat, [flat](const WalkSettings& s) { return get(s, flat); },
         [flat](WalkSettings& s, const py::object& value) { set(s, flat, value); }, doc.c_str());

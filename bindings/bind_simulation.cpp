@@ -2,6 +2,7 @@
 #include <optional>
 #include <sstream>
 
+#include "busy.hpp"
 #include "common.hpp"
 #include "zmpwalk/robot/contact_forces.hpp"
 #include "zmpwalk/robot/words.hpp"
@@ -39,6 +40,7 @@ class PythonCommand {
   PythonCommand(WalkingController& controller, py::object f) : controller_(controller), f_(std::move(f)) {}
   bool operator()(const CycleOutput& out) {
     py::gil_scoped_acquire locked;
+    const Busy::Pause pause(controller_);
     try {
       const py::object v = f_(out.t, py::cast(out, py::return_value_policy::copy));
       if (!v.is_none()) controller_.command(v.cast<Vec3>());
@@ -70,6 +72,7 @@ OnFall on_fall_of(const std::string& word) {
 py::tuple run(Simulation& simulation, WalkingController& controller, double duration, const py::object& on_progress,
               const py::object& command, double command_interval, OnFall on_fall) {
   require_positive("duration", duration);
+  const Busy busy(controller, "run");
   Recorder recorder(controller, duration);
   PythonProgress progress(on_progress, duration);
   PythonCommand steer(controller, command);
@@ -78,7 +81,12 @@ py::tuple run(Simulation& simulation, WalkingController& controller, double dura
   RunResult result;
   {
     py::gil_scoped_release unlocked;
-    result = simulation.run(duration, recorder, std::ref(progress), 0.05, after_cycle, command_interval, on_fall);
+    const auto report = [&](double t) {
+      const py::gil_scoped_acquire locked;
+      const Busy::Pause pause(controller);
+      return progress(t);
+    };
+    result = simulation.run(duration, recorder, report, 0.05, after_cycle, command_interval, on_fall);
   }
   progress.rethrow();
   steer.rethrow();
@@ -87,7 +95,7 @@ py::tuple run(Simulation& simulation, WalkingController& controller, double dura
   info["fall_time"] = result.fall_time;
   info["fall_cause"] = to_string(result.fell);
   info["alarm_time"] = result.alarm_time;
-  info["alarm_cause"] = to_string(result.alarm);
+  info["alarm_cause"] = result.alarm_text;
   info["stopped"] = result.stopped;
   info["wall_time"] = result.wall_time;
   std::vector<Column> times;

@@ -1,4 +1,5 @@
 #include "bind_tasks.hpp"
+#include "busy.hpp"
 #include "zmpwalk/walk/walking_controller.hpp"
 
 using namespace zmpwalk;
@@ -22,6 +23,12 @@ void bind_walking_controller(py::module_& m) {
   out.def_property_readonly(
       "fall_cause", [](const CycleOutput& o) { return to_string(o.fell); },
       "Why the robot fell; it is empty where the robot did not.");
+  out.def_property_readonly(
+      "foreseen_time", [](const CycleOutput& o) { return o.foreseen.time; },
+      "Since when a fall is foreseen [s]; it is NaN where none is.");
+  out.def_property_readonly(
+      "foreseen_cause", [](const CycleOutput& o) { return to_string(o.foreseen); },
+      "Why a fall is foreseen; it is empty where none is.");
   out.def("__copy__", [](const CycleOutput& o) { return CycleOutput(o); });
   out.def("__repr__", [](const CycleOutput& o) {
     const Eigen::IOFormat row(4, Eigen::DontAlignCols, ", ", ", ", "", "", "[", "]");
@@ -49,10 +56,19 @@ void bind_walking_controller(py::module_& m) {
            "walked.\n"
            "    InputError: a setting breaks a rule, or the profile is faster than the legs reach.")
       .def(
-          "reset", [](WalkingController& c, const PyState& state) { c.reset(state); }, "state"_a,
-          "Starts a walk from a State, and moves nothing yet.")
+          "reset",
+          [](WalkingController& c, const PyState& state) {
+            const Busy busy(c, "reset");
+            c.reset(state);
+          },
+          "state"_a, "Starts a walk from a State, and moves nothing yet.")
       .def(
-          "reset", [](WalkingController& c, const py::object& data) { c.reset(data_of(data)); }, "data"_a,
+          "reset",
+          [](WalkingController& c, const py::object& data) {
+            const Busy busy(c, "reset");
+            c.reset(data_of(data));
+          },
+          "data"_a,
           "Starts a walk from the state in `data`, and moves nothing yet.\n\nRaises:\n    InputError: the state is not "
           "finite.")
       .def(
@@ -71,6 +87,7 @@ void bind_walking_controller(py::module_& m) {
       .def(
           "update",
           [](WalkingController& c, const PyState& state) -> const CycleOutput& {
+            const Busy busy(c, "update");
             PyState known = state;
             known.external = external_of(c, state.named);
             return c.update(known);
@@ -81,6 +98,7 @@ void bind_walking_controller(py::module_& m) {
           "update",
           [](WalkingController& c, const py::object& data, bool after_step1, const py::object& external,
              const std::optional<Vec2>& contact) -> const CycleOutput& {
+            const Busy busy(c, "update");
             Sensed sensed;
             sensed.external = external_of(c, external);
             if (contact) sensed.contact = {(*contact)[kLeft], (*contact)[kRight]};
@@ -107,8 +125,9 @@ void bind_walking_controller(py::module_& m) {
           "Commands a velocity: from the next cycle on the robot walks with (vx, vy, wz) in the heading frame instead "
           "of the "
           "profile's\nvelocity, until reset().\n\n"
-          "It may be called from any thread, at any time. A velocity that the legs cannot reach is scaled down "
-          "(`within_reach`), and the\nrobot takes it up no faster than the settings forward_jump, "
+          "It may be called from any thread, at any time. A velocity that reach, torques or friction do not allow is "
+          "scaled down "
+          "(`within_limits`), and the\nrobot takes it up no faster than the settings forward_jump, "
           "forward_acceleration, ... allow.\n\n"
           "Args:\n    vx, vy: [m/s].\n    wz: [rad/s].\n\nRaises:\n    InputError: not finite.")
       .def(
@@ -123,21 +142,42 @@ void bind_walking_controller(py::module_& m) {
           "settings", [](const WalkingController& c) { return c.settings(); },
           "the WalkSettings of this walk; every NaN has the robot's value")
       .def_property_readonly("profile", &WalkingController::profile)
-      .def("retime", &WalkingController::retime, "remaining"_a,
-           "Lets the present phase, single or double support, end `remaining` [s] after the last cycle; the swing foot "
-           "goes on "
-           "from where\nit is without a jump. Call it between cycles.\n\nRaises:\n    InputError: not finite and > 0. "
-           "A robot that stands "
-           "stays as it is.")
-      .def("move", &WalkingController::move, "motion"_a,
-           "Lets joints outside the legs, and the trunk, follow `motion` from now on; see the package's "
-           "WalkingController.")
+      .def(
+          "retime",
+          [](WalkingController& c, double remaining) {
+            require_between_cycles(c, "retime");
+            c.retime(remaining);
+          },
+          "remaining"_a,
+          "Lets the present phase, single or double support, end `remaining` [s] after the last cycle; the swing foot "
+          "goes on "
+          "from where\nit is without a jump. Call it between cycles.\n\nRaises:\n    InputError: not finite and > 0. "
+          "A robot that stands "
+          "stays as it is.")
+      .def(
+          "move",
+          [](WalkingController& c, const JointMotion& motion) {
+            require_between_cycles(c, "move");
+            c.move(motion);
+          },
+          "motion"_a,
+          "Lets joints outside the legs, and the trunk, follow `motion` from now on; see the package's "
+          "WalkingController.")
       .def_property_readonly("motion", &WalkingController::motion)
-      .def("add", &WalkingController::add, "task"_a, "blend"_a = kNaN,
-           "Adds a task that the robot fulfils while it walks; see the package's WalkingController.")
+      .def(
+          "add",
+          [](WalkingController& c, const std::shared_ptr<Task>& task, double blend) {
+            require_between_cycles(c, "add");
+            c.add(task, blend);
+          },
+          "task"_a, "blend"_a = kNaN,
+          "Adds a task that the robot fulfils while it walks; see the package's WalkingController.")
       .def(
           "remove",
-          [](WalkingController& c, const std::shared_ptr<Task>& task, double blend) { c.remove(*task, blend); },
+          [](WalkingController& c, const std::shared_ptr<Task>& task, double blend) {
+            require_between_cycles(c, "remove");
+            c.remove(*task, blend);
+          },
           "task"_a, "blend"_a = kNaN, "Takes a task away; see the package's WalkingController.")
       .def_property_readonly("cycles", &WalkingController::cycles, "control cycles since the last reset")
       .def_property_readonly(
@@ -171,15 +211,35 @@ void bind_walking_controller(py::module_& m) {
           "torque_limit", [](const WalkingController& c) { return c.robot().torque_limit(); },
           "torque limit of each joint, infinite without (joints,) [N m]")
       .def_property_readonly(
-          "mass", [](const WalkingController& c) { return c.robot().dynamics().mass; }, "mass of the robot [kg]: that of the model, and as a walk finds it to be (`observer`)")
+          "mass", [](const WalkingController& c) { return c.robot().dynamics().mass; },
+          "mass of the robot [kg]: that of the model, and as a walk finds it to be (`observer`)")
       .def_property_readonly("com_height", &WalkingController::com_height, "height z_c of the COM over the soles [m]")
       .def_property_readonly("Tc", &WalkingController::Tc, "time constant of the pendulum, sqrt(z_c / g) [s]")
       .def("knee_share", &WalkingController::knee_share, "speed"_a,
            "Share of the knee's torque limit that its own rotor and damping take as the foot lifts, at a walking speed "
            "[m/s].")
       .def_property_readonly(
-          "speed_limit", [](const WalkingController& c) { return c.reach().speed_limit(); },
-          "largest v_x that the legs reach [m/s]")
+          "speed_limit", [](const WalkingController& c) { return c.command_limit().axes()[0].most; },
+          "largest v_x that reach, torques and friction allow [m/s]")
+      .def_property_readonly(
+          "speed_limits",
+          [](const WalkingController& c) {
+            py::dict limits;
+            const char* names[] = {"forward", "backward", "sideways", "turning"};
+            for (int i = 0; i < 4; ++i) {
+              const AxisLimit& axis = c.command_limit().axes()[i];
+              limits[names[i]] = py::make_tuple(axis.most, to_string(axis));
+            }
+            return limits;
+          },
+          "largest velocity forward, backward, sideways [m/s] and turning [rad/s], and what limits each, by name; "
+          "together they bound a velocity: the sum of its |v| / most is at most 1")
+      .def(
+          "within_limits",
+          [](const WalkingController& c, const Vec3& velocity) { return c.command_limit().within(velocity); },
+          "velocity"_a,
+          "The velocity (v_x, v_y, w_z) as command() takes it: made smaller until reach, torques and friction allow "
+          "it.")
       .def("plan_mismatch", &WalkingController::plan_mismatch, "duration"_a,
            "Largest difference between the speed of the footsteps and the planned one within `duration` [s], in m/s; 0 "
            "where "

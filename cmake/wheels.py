@@ -10,10 +10,13 @@ import sysconfig
 from pathlib import Path
 
 
-def cmeel_include(folder: str, probe: str) -> str:
-    """The include folder of a cmeel package, known by one of its headers; empty if it is not installed."""
-    for entry in sys.path:
-        include = Path(entry or ".", "cmeel.prefix", "include", folder)
+def include_folder(folder: str, probe: str) -> str:
+    """The include folder of a package, known by one of its headers; empty if it is not installed.
+
+    It is that of a cmeel wheel or, as conda has it, that of Python's own prefix.
+    """
+    for prefix in (*(Path(entry or ".", "cmeel.prefix") for entry in sys.path), Path(sys.prefix)):
+        include = prefix / "include" / folder
         if (include / probe).exists():
             return include.resolve().as_posix()
     return ""
@@ -39,6 +42,6 @@ if __name__ == "__main__":
     print(f"MUJOCO_DIR={folder}")
     print(f"MUJOCO_LIBRARY={library}")
     print(f"MUJOCO_VERSION={version}")
-    print(f"EIGEN_INCLUDE_DIR={cmeel_include('eigen3', 'Eigen/Core')}")
-    print(f"EIQUADPROG_INCLUDE_DIR={cmeel_include('', 'eiquadprog/eiquadprog-rt.hpp')}")
-    print(f"BOOST_INCLUDE_DIR={cmeel_include('', 'boost/test/unit_test.hpp')}")
+    print(f"EIGEN_INCLUDE_DIR={include_folder('eigen3', 'Eigen/Core')}")
+    print(f"EIQUADPROG_INCLUDE_DIR={include_folder('', 'eiquadprog/eiquadprog-rt.hpp')}")
+    print(f"BOOST_INCLUDE_DIR={include_folder('', 'boost/test/unit_test.hpp')}")

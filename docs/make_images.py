@@ -1,10 +1,14 @@
-"""Draws the pictures of the README and the mixed walk of `walk_anywhere.md`: `python docs/make_images.py`.
+"""Draws the pictures of README, how-tos and the mixed walk of `walk_anywhere.md`: `python docs/make_images.py`.
 
-`--only NAME` draws one: estimate, walk, sagittal or mixed.
+`--only NAME` draws one: estimate, walk, sagittal, mixed or howto.
 """
 
 import argparse
+import os
+import re
+import shutil
 import sys
+import tempfile
 from pathlib import Path
 
 import matplotlib
@@ -67,10 +71,27 @@ def mixed(trace: zmpwalk.Trace) -> Figure:
     return figure
 
 
+def howtos() -> None:
+    """The pictures that the code of the how-tos writes: NAME.png becomes images/howto_NAME.png."""
+    for page in sorted((IMAGES.parent / "howto").glob("*.md")):
+        text = page.read_text(encoding="utf-8")
+        with tempfile.TemporaryDirectory() as scratch:
+            os.chdir(scratch)
+            for block in re.findall(r"```python\n(.*?)```", text, re.S):
+                exec(compile(block, page.name, "exec"), {})
+            for name in re.findall(r"images/howto_(\w+\.png)", text):
+                shutil.copy(name, IMAGES / f"howto_{name}")
+            os.chdir(IMAGES)
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--only", choices=("estimate", "walk", "sagittal", "mixed"), help="one picture")
+    parser.add_argument("--only", choices=("estimate", "walk", "sagittal", "mixed", "howto"), help="one picture")
     only = parser.parse_args().only
+    if only in (None, "howto"):
+        howtos()
+    if only == "howto":
+        return
     trace = zmpwalk.simulate("mahru", duration=8.0)
     for draw in (estimate, walk, sagittal):
         if only in (None, draw.__name__):

@@ -23,11 +23,15 @@ import subprocess
 import sys
 import tempfile
 import zipfile
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 LAYOUTS = HERE.parents[1] / "python" / "zmpwalk" / "adapters" / "layouts.json"
-COMPILE = ["-std=c++17", "-O2", "-fPIC", "-fvisibility=hidden", "-w", "-I", str(HERE.parent / "include")]
+# Without debugging records, which name the folder; an adapter needs nothing of the C++ library.
+COMPILE = ["-std=c++17", "-O2", "-g0", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics", "-fPIC"]
+COMPILE += ["-fvisibility=hidden", "-w", "-I", str(HERE.parent / "include")]
+LINK = ["-shared", "-s", "-O2", "-nostdlib"]
 
 
 def fetch(version: str, folder: Path) -> Path:
@@ -44,16 +48,16 @@ def fetch(version: str, folder: Path) -> Path:
                     break
             for wheel in Path(scratch).glob("*.whl"):
                 with zipfile.ZipFile(wheel) as archive:
-                    names = [name for name in archive.namelist() if name.startswith("mujoco/include/")]
+                    wanted = ("mujoco/include/", "mujoco/libmujoco.so")  # attributes.py asks the library
+                    names = [name for name in archive.namelist() if name.startswith(wanted)]
                     archive.extractall(folder / version, names)
     if not include.is_dir():
         raise SystemExit(f"layouts: no headers of MuJoCo {version} could be had")
     return include
 
 
-def compiled(include: Path, scratch: Path) -> str:
-    """What the adapter's object code is with these headers, as a short sum."""
-    made = scratch / "adapter.o"
+def compiled(include: Path, made: Path) -> str:
+    """Compile the adapter with these headers into `made`; what its object code is, as a short sum."""
     command = [os.environ.get("CXX", "c++"), *COMPILE, "-c", "-I", str(include), str(HERE / "adapter.cpp")]
     subprocess.run([*command, "-o", str(made)], check=True)
     return hashlib.sha256(made.read_bytes()).hexdigest()[:12]
@@ -77,16 +81,19 @@ def main() -> None:
     parser.add_argument("--release", action="append", default=[], help="one more release to look at")
     options = parser.parse_args()
     versions = {*json.loads(LAYOUTS.read_text()), *options.release} if LAYOUTS.exists() else {*options.release}
-    with tempfile.TemporaryDirectory() as scratch:
-        sums = {v: compiled(fetch(v, options.headers), Path(scratch)) for v in sorted(versions, key=numbers)}
-    layouts = grouped(sums)
-    LAYOUTS.write_text(json.dumps(layouts, indent=0) + "\n")
-    print(f"{len(layouts)} releases, {len(set(layouts.values()))} layouts")
-    for layout in dict.fromkeys(layouts.values()) if options.adapters else ():
-        options.adapters.mkdir(parents=True, exist_ok=True)
-        made = options.adapters / f"adapter-{layout}.so"
-        command = [os.environ.get("CXX", "c++"), *COMPILE, "-shared", "-s", "-I", str(fetch(layout, options.headers))]
-        subprocess.run([*command, str(HERE / "adapter.cpp"), "-o", str(made)], check=True)
+    with tempfile.TemporaryDirectory() as scratch, ThreadPoolExecutor(os.cpu_count()) as pool:
+        order = sorted(versions, key=numbers)
+        objects = {version: Path(scratch, f"{version}.o") for version in order}
+        sums = pool.map(lambda version: compiled(fetch(version, options.headers), objects[version]), order)
+        layouts = grouped(dict(zip(order, sums)))
+        LAYOUTS.write_text(json.dumps(layouts, indent=0) + "\n")
+        print(f"{len(layouts)} releases, {len(set(layouts.values()))} layouts")
+        for old in options.adapters.glob("adapter-*.so") if options.adapters else ():
+            old.unlink()
+        for layout in dict.fromkeys(layouts.values()) if options.adapters else ():
+            options.adapters.mkdir(parents=True, exist_ok=True)
+            link = [os.environ.get("CXX", "c++"), *LINK, str(objects[layout])]
+            subprocess.run([*link, "-o", str(options.adapters / f"adapter-{layout}.so")], check=True)
 
 
 if __name__ == "__main__":

@@ -156,12 +156,14 @@ RunResult Simulation::run(double duration, Recorder& recorder, const std::functi
       const bool touches = felt_.contact[kLeft] + felt_.contact[kRight] > 0.0;
       airborne_ = touches ? 0.0 : airborne_ + controller_.settings().control.dt;
     }
-    const Fall alarm = out.fell != Fall::kNone ? out.fell : airborne_ > kLongestFlight ? Fall::kNoContact : Fall::kNone;
+    const Fall word = out.fell != Fall::kNone ? out.fell : airborne_ > kLongestFlight ? Fall::kNoContact : Fall::kNone;
+    const Fall alarm = out.foreseen ? out.foreseen.cause : word;
     if (result.alarm == Fall::kNone && alarm != Fall::kNone) {
       result.alarm = alarm;
       result.alarm_time = *d.time;
+      result.alarm_text = out.foreseen ? to_string(out.foreseen) : to_string(word);
     }
-    result.fell = on_fall == OnFall::kStop || alarm == Fall::kNonFinite ? alarm : lies();
+    result.fell = on_fall == OnFall::kStop || word == Fall::kNonFinite ? word : lies();
     if (result.fell != Fall::kNone || result.stopped) break;
     if (!progress) continue;
     const double wall = seconds_since(start);
@@ -179,6 +181,7 @@ RunResult Simulation::run(double duration, Recorder& recorder, const std::functi
   if (result.alarm == Fall::kNone) {
     result.alarm = result.fell;
     result.alarm_time = result.fall_time;
+    result.alarm_text = to_string(result.fell);
   }
   result.wall_time = seconds_since(start);
   return result;

@@ -13,8 +13,7 @@ from __future__ import annotations
 import os
 import sys
 from importlib import import_module
-from types import ModuleType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Callable
 
 from ._check_mujoco import installed_mujoco as _installed_mujoco
 from ._check_mujoco import load_mujoco as _load_mujoco
@@ -32,7 +31,7 @@ except VersionError as error:
         raise SystemExit(2) from None
     raise
 
-from . import analysis, errors, pushes, shown, simulation, sweeps, trace, troubles
+from . import analysis, errors, shown, simulation, trace
 from ._build import VERSION as __version__
 from ._core import (
     Contact,
@@ -58,11 +57,9 @@ from ._core import (
     solve_reference,
     zmp_on_plane,
 )
-from .capture import PendulumWalk, pendulum_limit
 from .disturbances import Push, Uncertainty
 from .motion import JointMotion
 from .profiles import VelocityProfile
-from .pushes import PushMap, push_map
 from .robots import (
     Foot,
     Proposal,
@@ -75,13 +72,9 @@ from .robots import (
 )
 from .settings import load_settings, settings_toml
 from .simulation import Recorder, WalkingController, simulate, simulate_batch
-from .sweeps import Sweep, sweep
 from .tasks import FrameTask, JointTask, MomentumTask
 from .terrain import Patch, Terrain
-from .trace import Trace
-from .troubles import Robustness, robustness
-from .verdict import Verdict, judge
-from .waypoints import Waypoints, walk_to
+from .trace import Fall, Trace
 
 __all__ = [
     "Contact",
@@ -90,9 +83,11 @@ __all__ = [
     "DimensionError",
     "Dynamics",
     "Error",
+    "Fall",
     "Foot",
     "FrameTask",
     "GaitGenerator",
+    "Humanoid",
     "InputError",
     "JointMotion",
     "JointTask",
@@ -133,6 +128,7 @@ __all__ = [
     "describe",
     "distribute_wrench",
     "errors",
+    "humanoid",
     "iterate_reference",
     "judge",
     "load_robot",
@@ -156,56 +152,54 @@ __all__ = [
 ]
 
 
-def _plot(*arguments: Any, **options: Any) -> Any:
-    """`Trace.plot`. It imports matplotlib, which is slow, only when something is to be drawn."""
-    from . import plot
-
-    return plot.draw(*arguments, **options)
-
-
-def _plot_pushes(push_map: PushMap, axes: Any = None) -> Any:
-    """`PushMap.plot`."""
-    from . import plot
-
-    return plot.pushes(push_map, axes)
-
-
-def _plot_robustness(found: Robustness, axes: Any = None) -> Any:
-    """`Robustness.plot`."""
-    from . import plot
-
-    return plot.robustness(found, axes)
-
-
-def _plot_sweep(found: Sweep, y: Any, x: Any = None, axes: Any = None) -> Any:
-    """`Sweep.plot`."""
-    from . import plot
-
-    return plot.sweep(found, y, x, axes)
-
-
-def _video(*arguments: Any, **options: Any) -> Any:
-    """`Trace.video`."""
-    from . import render
-
-    return render.film(*arguments, **options)
-
-
-trace.ABOVE.update(plot=_plot, rerun=simulation.rerun, video=_video)
-pushes.ABOVE.update(plot=_plot_pushes)
-troubles.ABOVE.update(plot=_plot_robustness)
-sweeps.ABOVE.update(plot=_plot_sweep)
-shown.show_values()
+# Modules that most scripts do not need, each with the public names that it gives: whoever asks for one imports it.
+_LATER = {
+    "capture": ("PendulumWalk", "pendulum_limit"),
+    "plot": (),
+    "pushes": ("PushMap", "push_map"),
+    "render": (),
+    "robots.humanoid": ("Humanoid", "humanoid"),
+    "sweeps": ("Sweep", "sweep"),
+    "troubles": ("Robustness", "robustness"),
+    "verdict": ("Verdict", "judge"),
+    "view": (),
+    "waypoints": ("Waypoints", "walk_to"),
+}
 
 if TYPE_CHECKING:  # so that type checkers know what these hold
     from . import plot, render, view
+    from .capture import PendulumWalk, pendulum_limit
+    from .pushes import PushMap, push_map
+    from .robots.humanoid import Humanoid, humanoid
+    from .sweeps import Sweep, sweep
+    from .troubles import Robustness, robustness
+    from .verdict import Verdict, judge
+    from .waypoints import Waypoints, walk_to
 else:
 
-    def __getattr__(name: str) -> ModuleType:
-        """Imports a module that is slow to import when it is first asked for."""
-        if name in ("plot", "render", "view"):
-            return import_module(f".{name}", __name__)
+    def __getattr__(name: str) -> Any:
+        """Imports the module that gives a name when it is first asked for."""
+        for module, names in _LATER.items():
+            if name == module or name in names:
+                imported = import_module(f".{module}", __name__)
+                return imported if name == module else getattr(imported, name)
         raise AttributeError(f"module 'zmpwalk' has no attribute '{name}'")
+
+
+def _later(module: str, function: str) -> Callable[..., Any]:
+    """A function of a module that is imported when it is called: what draws is slow to import."""
+    return lambda *arguments, **options: getattr(import_module(f".{module}", __name__), function)(*arguments, **options)
+
+
+trace.ABOVE.update(
+    plot=_later("plot", "draw"),
+    plot_pushes=_later("plot", "pushes"),
+    plot_robustness=_later("plot", "robustness"),
+    plot_sweep=_later("plot", "sweep"),
+    rerun=simulation.rerun,
+    video=_later("render", "film"),
+)
+shown.show_values()
 
 
 def __dir__() -> list[str]:

@@ -54,15 +54,17 @@ def adapter_versions() -> list[str]:
 
 
 def libmujoco_file() -> Path | None:
-    """MuJoCo's library in the mujoco package, which is located but not imported; None where there is none.
+    """MuJoCo's library, in the mujoco package or, as conda has it, beside Python's own; None where there is none.
+
+    The package is located but not imported.
 
     Usage: `libmujoco_file().name  # -> "libmujoco.so.3.3.7"`
     """
     spec = util.find_spec("mujoco")
-    for folder in (spec.submodule_search_locations or []) if spec else []:
-        for file in sorted(Path(folder).glob("libmujoco.*")):
-            return file
-    return None
+    if spec is None:
+        return None
+    folders = [*map(Path, spec.submodule_search_locations or ()), Path(sys.prefix, "lib")]
+    return next((file for folder in folders for file in sorted(folder.glob("libmujoco.*"))), None)
 
 
 def build_adapter(version: str, compiler: str | None = None) -> Path:
@@ -81,8 +83,9 @@ def build_adapter(version: str, compiler: str | None = None) -> Path:
     Usage: `build_adapter("9.9.9")`
     """
     library = libmujoco_file()
-    headers = library.parent / "include" if library else None
-    if headers is None or not (headers / "mujoco" / "mujoco.h").is_file():
+    places = [library.parent / "include", Path(sys.prefix, "include")] if library else []
+    headers = next((place for place in places if (place / "mujoco" / "mujoco.h").is_file()), None)
+    if headers is None:
         raise InputError("the mujoco package is not installed, or it comes without its headers: pip install mujoco")
     source, include = _sources()
     compilers = [compiler] if compiler else [os.environ.get("CXX"), "c++", "g++", "clang++"]

@@ -6,7 +6,9 @@ scheme. Then the layout is checked: what the core sees of a small model has to l
 
 from __future__ import annotations
 
-from importlib import metadata
+import os
+import sys
+from pathlib import Path
 from typing import Any
 
 from . import _adapters
@@ -69,7 +71,14 @@ def load_mujoco() -> None:
         ) from None
     installed = installed_mujoco()
     check_versions(installed, _installed("numpy"))
-    import mujoco
+    try:
+        import mujoco
+    except Exception as error:  # of many kinds: MuJoCo imports the library that draws, whichever that is
+        told = os.environ.get("MUJOCO_GL")
+        raise VersionError(
+            f"MuJoCo {installed} cannot be imported ({type(error).__name__}: {error})"
+            + (f": MUJOCO_GL={told} names what draws; unset it, or install that library" if told else "")
+        ) from None
 
     version = mujoco.__version__
     if _numbers(version) != _numbers(installed or version):
@@ -140,6 +149,15 @@ def _geoms(contact: Any) -> tuple[int, int]:
 
 
 def _installed(package: str) -> str | None:
+    """The version in the name of the folder that pip left beside the package, such as `mujoco-2.2.2.dist-info`.
+
+    Only where there is no such folder is importlib.metadata asked, which takes longer to import than our core.
+    """
+    for folder in map(Path, sys.path):
+        for info in folder.glob(f"{package}-*-info"):
+            return info.stem.split("-")[1]
+    from importlib import metadata
+
     try:
         return metadata.version(package)
     except metadata.PackageNotFoundError:

@@ -29,6 +29,10 @@ class RecordedColumns:
     command: np.ndarray
     """(T, 3) [m/s, rad/s]. Live velocity command that is in force; it is NaN while the velocity profile leads."""
 
+    command_limit: np.ndarray
+    """(T,). What keeps the live command down: 0 nothing, 1 the reach of the legs, 2 torque of a hip, 3 of a knee, 4
+    friction against turning on the sole, 5 friction against sliding."""
+
     v_plan: np.ndarray
     """(T, 3) [m/s, rad/s]. Planned velocity: that of the command or the profile, changed no faster than the steps can
     follow."""
@@ -160,6 +164,13 @@ class RecordedColumns:
     joint_margin: np.ndarray
     """(T,) [rad or m]. Distance from its limit of the joint that is nearest to one, after this torque acted; it is
     infinite without limits."""
+
+    fall_gap: np.ndarray
+    """(T,) [m]. How far the DCM (COM + T_c times its velocity) is beyond what any foothold within reach can catch; it
+    is 0 where one can, and NaN where falls are not foreseen."""
+
+    fall_foreseen: np.ndarray
+    """(T,). Whether a fall is foreseen; it stays so until the walk is started anew."""
 
     fell: np.ndarray
     """(T,). Whether the robot has fallen, which ends the walk."""

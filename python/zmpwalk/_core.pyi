@@ -11,6 +11,7 @@ import typing
 __all__: list[str] = [
     "ArmsSettings",
     "ComSettings",
+    "CommandSettings",
     "Contact",
     "ContactSettings",
     "ContactSpace",
@@ -91,6 +92,7 @@ class Setting:
     """
     A row of the table of settings, see `WalkSettings.table`.
     """
+    def __reduce__(self) -> typing.Any: ...
     def __repr__(self) -> str: ...
     @property
     def default(self) -> typing.Any:
@@ -295,10 +297,18 @@ class ObserverSettingsDict(typing.TypedDict, total=False):
     bias_most: float
     sole_tilt: float
 
+class CommandSettingsDict(typing.TypedDict, total=False):
+    limit: bool
+    share: float
+
 class FallSettingsDict(typing.TypedDict, total=False):
     height: float
     tilt: float
     foot_tilt: float
+    foresee: bool
+    crouch: bool
+    margin: float
+    confirm_time: float
 
 class WalkSettings:
     __hash__: typing.ClassVar[None] = None
@@ -323,6 +333,7 @@ class WalkSettings:
     def __deepcopy__(self, arg0: dict) -> WalkSettings: ...
     def __eq__(self, arg0: WalkSettings) -> bool: ...
     def __getstate__(self) -> dict: ...
+    def __reduce__(self) -> typing.Any: ...
     def __setstate__(self, arg0: dict) -> None: ...
     def to_dict(self) -> dict:
         """
@@ -474,10 +485,17 @@ class WalkSettings:
         attitude_bias_time: float = ...,
         attitude_bias_most: float = ...,
         attitude_sole_tilt: float = ...,
+        command: CommandSettings | CommandSettingsDict = ...,
+        command_limit: bool = ...,
+        command_share: float = ...,
         fall: FallSettings | FallSettingsDict = ...,
         fall_height: float = ...,
         fall_tilt: float = ...,
         fall_foot_tilt: float = ...,
+        fall_foresee: bool = ...,
+        fall_crouch: bool = ...,
+        fall_margin: float = ...,
+        fall_confirm_time: float = ...,
     ) -> None:
         """Every gain, bound and switch of the walk, in groups: `settings.tracking.gain`.
 
@@ -568,7 +586,7 @@ class WalkSettings:
             rate: How fast the planned velocity may change, whatever a profile or command asks for at once. A dict, or RateSettings.
                 limit (rate_limit): Whether the planned velocity changes no faster than steps can follow. With false profiles and commands are taken as they are. Default: True.
                 forward_jump: Change of the forward velocity v_x that is taken up at once. A larger one follows at forward_acceleration or forward_deceleration. Unit: m/s. Default: 0.036 sqrt(g z_c).
-                sideways_jump: Change of the sideways velocity v_y that is taken up at once. A larger one follows at sideways_acceleration. Unit: m/s. Default: 0.03 sqrt(g z_c).
+                sideways_jump: Change of the sideways velocity v_y that is taken up at once. A larger one follows at sideways_acceleration. Unit: m/s. Default: 0.0.
                 turning_jump: Change of the turning velocity w_z that is taken up at once. A larger one follows at turning_acceleration. Unit: rad/s. Default: 0.07 / T_c.
                 forward_acceleration: Rate at which the forward velocity v_x moves away from zero. Unit: m/s^2. Default: 0.02 g.
                 forward_deceleration: Rate at which the forward velocity v_x goes back to zero. Unit: m/s^2. Default: 0.056 g.
@@ -621,10 +639,17 @@ class WalkSettings:
                 bias_time (attitude_bias_time): Time constant with which a bias of the measured attitude is found. Unit: s. Default: 1.8 T_c.
                 bias_most (attitude_bias_most): Most that is made up for of a bias of the measured attitude. Unit: rad. Default: 0.09.
                 sole_tilt (attitude_sole_tilt): Tilt of the standing sole from level that shows no bias yet: contacts give way a little. Unit: rad. Default: 0.004.
-            fall: What counts as a fall, which ends the run. A dict, or FallSettings.
+            command: Which velocities may be commanded. A dict, or CommandSettings.
+                limit (command_limit): Whether commands and profiles are kept within what the torques of the legs and the friction under the soles give. With false only the reach of the legs limits them. Default: True.
+                share (command_share): Share of those torques and that friction that a commanded velocity may use. More than 1 allows faster walks, which cut torques and slide. Default: 1.0.
+            fall: What counts as a fall, when one is foreseen, and what the robot does then. A dict, or FallSettings.
                 height (fall_height): The robot has fallen where its COM is less high over the support foot than this share of its height at the start. Default: 0.8.
                 tilt (fall_tilt): The robot has fallen where its trunk tilts by more than this. Unit: rad. Default: 0.8.
-                foot_tilt (fall_foot_tilt): The robot has fallen where the only foot that stands tilts by more than this, as it tips over its edge. Unit: rad. Default: 0.3.
+                foot_tilt (fall_foot_tilt): A fall is foreseen where the only foot that stands tilts by more than this, as it tips over its edge. Unit: rad. Default: 0.45.
+                foresee (fall_foresee): Whether a fall is foreseen: it is certain once no foothold within reach, and no time of landing, can catch the DCM (COM + T_c times its velocity) any more. Default: True.
+                crouch (fall_crouch): Whether the robot crouches once a fall is foreseen: the legs bend and every joint is damped, until the walk is started anew. With false it walks on as if nothing were foreseen. Default: True.
+                margin (fall_margin): How far the DCM must be beyond what any foothold within reach can catch before the fall counts as certain. Trunk, arms and what the pendulum does not know may bring back that much. Unit: m. Default: 0.03 z_c.
+                confirm_time (fall_confirm_time): How long the DCM must be that far off without a break before the fall counts as certain: a noisy measurement alone fells nobody. Unit: s. Default: 0.04 T_c.
 
         Raises:
             InputError: an unknown name or a value of the wrong type.
@@ -768,10 +793,17 @@ class WalkSettings:
         attitude_bias_time: float = ...,
         attitude_bias_most: float = ...,
         attitude_sole_tilt: float = ...,
+        command: CommandSettings | CommandSettingsDict = ...,
+        command_limit: bool = ...,
+        command_share: float = ...,
         fall: FallSettings | FallSettingsDict = ...,
         fall_height: float = ...,
         fall_tilt: float = ...,
         fall_foot_tilt: float = ...,
+        fall_foresee: bool = ...,
+        fall_crouch: bool = ...,
+        fall_margin: float = ...,
+        fall_confirm_time: float = ...,
     ) -> None:
         """Changes settings, named as in the constructor: all of them or, if one is refused, none.
 
@@ -854,8 +886,13 @@ class WalkSettings:
     @observer.setter
     def observer(self, value: ObserverSettings | ObserverSettingsDict) -> None: ...
     @property
+    def command(self) -> CommandSettings:
+        """Which velocities may be commanded."""
+    @command.setter
+    def command(self, value: CommandSettings | CommandSettingsDict) -> None: ...
+    @property
     def fall(self) -> FallSettings:
-        """What counts as a fall, which ends the run."""
+        """What counts as a fall, when one is foreseen, and what the robot does then."""
     @fall.setter
     def fall(self, value: FallSettings | FallSettingsDict) -> None: ...
     @property
@@ -1227,7 +1264,7 @@ class WalkSettings:
     def forward_jump(self, value: float) -> None: ...
     @property
     def sideways_jump(self) -> float:
-        """rate.sideways_jump: Change of the sideways velocity v_y that is taken up at once. A larger one follows at sideways_acceleration. Unit: m/s. Default: 0.03 sqrt(g z_c)."""
+        """rate.sideways_jump: Change of the sideways velocity v_y that is taken up at once. A larger one follows at sideways_acceleration. Unit: m/s. Default: 0.0."""
     @sideways_jump.setter
     def sideways_jump(self, value: float) -> None: ...
     @property
@@ -1456,6 +1493,16 @@ class WalkSettings:
     @attitude_sole_tilt.setter
     def attitude_sole_tilt(self, value: float) -> None: ...
     @property
+    def command_limit(self) -> bool:
+        """command.limit: Whether commands and profiles are kept within what the torques of the legs and the friction under the soles give. With false only the reach of the legs limits them. Default: True."""
+    @command_limit.setter
+    def command_limit(self, value: bool) -> None: ...
+    @property
+    def command_share(self) -> float:
+        """command.share: Share of those torques and that friction that a commanded velocity may use. More than 1 allows faster walks, which cut torques and slide. Default: 1.0."""
+    @command_share.setter
+    def command_share(self, value: float) -> None: ...
+    @property
     def fall_height(self) -> float:
         """fall.height: The robot has fallen where its COM is less high over the support foot than this share of its height at the start. Default: 0.8."""
     @fall_height.setter
@@ -1467,9 +1514,29 @@ class WalkSettings:
     def fall_tilt(self, value: float) -> None: ...
     @property
     def fall_foot_tilt(self) -> float:
-        """fall.foot_tilt: The robot has fallen where the only foot that stands tilts by more than this, as it tips over its edge. Unit: rad. Default: 0.3."""
+        """fall.foot_tilt: A fall is foreseen where the only foot that stands tilts by more than this, as it tips over its edge. Unit: rad. Default: 0.45."""
     @fall_foot_tilt.setter
     def fall_foot_tilt(self, value: float) -> None: ...
+    @property
+    def fall_foresee(self) -> bool:
+        """fall.foresee: Whether a fall is foreseen: it is certain once no foothold within reach, and no time of landing, can catch the DCM (COM + T_c times its velocity) any more. Default: True."""
+    @fall_foresee.setter
+    def fall_foresee(self, value: bool) -> None: ...
+    @property
+    def fall_crouch(self) -> bool:
+        """fall.crouch: Whether the robot crouches once a fall is foreseen: the legs bend and every joint is damped, until the walk is started anew. With false it walks on as if nothing were foreseen. Default: True."""
+    @fall_crouch.setter
+    def fall_crouch(self, value: bool) -> None: ...
+    @property
+    def fall_margin(self) -> float:
+        """fall.margin: How far the DCM must be beyond what any foothold within reach can catch before the fall counts as certain. Trunk, arms and what the pendulum does not know may bring back that much. Unit: m. Default: 0.03 z_c."""
+    @fall_margin.setter
+    def fall_margin(self, value: float) -> None: ...
+    @property
+    def fall_confirm_time(self) -> float:
+        """fall.confirm_time: How long the DCM must be that far off without a break before the fall counts as certain: a noisy measurement alone fells nobody. Unit: s. Default: 0.04 T_c."""
+    @fall_confirm_time.setter
+    def fall_confirm_time(self, value: float) -> None: ...
 
 class GaitSettings:
     """
@@ -1481,6 +1548,7 @@ class GaitSettings:
     def __deepcopy__(self, arg0: dict) -> GaitSettings: ...
     def __eq__(self, arg0: GaitSettings) -> bool: ...
     def __getstate__(self) -> dict: ...
+    def __reduce__(self) -> typing.Any: ...
     def __repr__(self) -> str: ...
     def __setstate__(self, arg0: dict) -> None: ...
     def to_dict(self) -> dict:
@@ -1583,6 +1651,7 @@ class StepsSettings:
     def __deepcopy__(self, arg0: dict) -> StepsSettings: ...
     def __eq__(self, arg0: StepsSettings) -> bool: ...
     def __getstate__(self) -> dict: ...
+    def __reduce__(self) -> typing.Any: ...
     def __repr__(self) -> str: ...
     def __setstate__(self, arg0: dict) -> None: ...
     def to_dict(self) -> dict:
@@ -1677,6 +1746,7 @@ class SwingSettings:
     def __deepcopy__(self, arg0: dict) -> SwingSettings: ...
     def __eq__(self, arg0: SwingSettings) -> bool: ...
     def __getstate__(self) -> dict: ...
+    def __reduce__(self) -> typing.Any: ...
     def __repr__(self) -> str: ...
     def __setstate__(self, arg0: dict) -> None: ...
     def to_dict(self) -> dict:
@@ -1724,6 +1794,7 @@ class ComSettings:
     def __deepcopy__(self, arg0: dict) -> ComSettings: ...
     def __eq__(self, arg0: ComSettings) -> bool: ...
     def __getstate__(self) -> dict: ...
+    def __reduce__(self) -> typing.Any: ...
     def __repr__(self) -> str: ...
     def __setstate__(self, arg0: dict) -> None: ...
     def to_dict(self) -> dict:
@@ -1806,6 +1877,7 @@ class ZmpSettings:
     def __deepcopy__(self, arg0: dict) -> ZmpSettings: ...
     def __eq__(self, arg0: ZmpSettings) -> bool: ...
     def __getstate__(self) -> dict: ...
+    def __reduce__(self) -> typing.Any: ...
     def __repr__(self) -> str: ...
     def __setstate__(self, arg0: dict) -> None: ...
     def to_dict(self) -> dict:
@@ -1883,6 +1955,7 @@ class TrackingSettings:
     def __deepcopy__(self, arg0: dict) -> TrackingSettings: ...
     def __eq__(self, arg0: TrackingSettings) -> bool: ...
     def __getstate__(self) -> dict: ...
+    def __reduce__(self) -> typing.Any: ...
     def __repr__(self) -> str: ...
     def __setstate__(self, arg0: dict) -> None: ...
     def to_dict(self) -> dict:
@@ -1940,6 +2013,7 @@ class RateSettings:
     def __deepcopy__(self, arg0: dict) -> RateSettings: ...
     def __eq__(self, arg0: RateSettings) -> bool: ...
     def __getstate__(self) -> dict: ...
+    def __reduce__(self) -> typing.Any: ...
     def __repr__(self) -> str: ...
     def __setstate__(self, arg0: dict) -> None: ...
     def to_dict(self) -> dict:
@@ -1958,7 +2032,7 @@ class RateSettings:
     def forward_jump(self, value: float) -> None: ...
     @property
     def sideways_jump(self) -> float:
-        """Change of the sideways velocity v_y that is taken up at once. A larger one follows at sideways_acceleration. Unit: m/s. Default: 0.03 sqrt(g z_c)."""
+        """Change of the sideways velocity v_y that is taken up at once. A larger one follows at sideways_acceleration. Unit: m/s. Default: 0.0."""
     @sideways_jump.setter
     def sideways_jump(self, value: float) -> None: ...
     @property
@@ -1997,6 +2071,7 @@ class TrunkSettings:
     def __deepcopy__(self, arg0: dict) -> TrunkSettings: ...
     def __eq__(self, arg0: TrunkSettings) -> bool: ...
     def __getstate__(self) -> dict: ...
+    def __reduce__(self) -> typing.Any: ...
     def __repr__(self) -> str: ...
     def __setstate__(self, arg0: dict) -> None: ...
     def to_dict(self) -> dict:
@@ -2029,6 +2104,7 @@ class PostureSettings:
     def __deepcopy__(self, arg0: dict) -> PostureSettings: ...
     def __eq__(self, arg0: PostureSettings) -> bool: ...
     def __getstate__(self) -> dict: ...
+    def __reduce__(self) -> typing.Any: ...
     def __repr__(self) -> str: ...
     def __setstate__(self, arg0: dict) -> None: ...
     def to_dict(self) -> dict:
@@ -2066,6 +2142,7 @@ class ArmsSettings:
     def __deepcopy__(self, arg0: dict) -> ArmsSettings: ...
     def __eq__(self, arg0: ArmsSettings) -> bool: ...
     def __getstate__(self) -> dict: ...
+    def __reduce__(self) -> typing.Any: ...
     def __repr__(self) -> str: ...
     def __setstate__(self, arg0: dict) -> None: ...
     def to_dict(self) -> dict:
@@ -2108,6 +2185,7 @@ class ContactSettings:
     def __deepcopy__(self, arg0: dict) -> ContactSettings: ...
     def __eq__(self, arg0: ContactSettings) -> bool: ...
     def __getstate__(self) -> dict: ...
+    def __reduce__(self) -> typing.Any: ...
     def __repr__(self) -> str: ...
     def __setstate__(self, arg0: dict) -> None: ...
     def to_dict(self) -> dict:
@@ -2140,6 +2218,7 @@ class ControlSettings:
     def __deepcopy__(self, arg0: dict) -> ControlSettings: ...
     def __eq__(self, arg0: ControlSettings) -> bool: ...
     def __getstate__(self) -> dict: ...
+    def __reduce__(self) -> typing.Any: ...
     def __repr__(self) -> str: ...
     def __setstate__(self, arg0: dict) -> None: ...
     def to_dict(self) -> dict:
@@ -2197,6 +2276,7 @@ class LimitsSettings:
     def __deepcopy__(self, arg0: dict) -> LimitsSettings: ...
     def __eq__(self, arg0: LimitsSettings) -> bool: ...
     def __getstate__(self) -> dict: ...
+    def __reduce__(self) -> typing.Any: ...
     def __repr__(self) -> str: ...
     def __setstate__(self, arg0: dict) -> None: ...
     def to_dict(self) -> dict:
@@ -2239,6 +2319,7 @@ class ObserverSettings:
     def __deepcopy__(self, arg0: dict) -> ObserverSettings: ...
     def __eq__(self, arg0: ObserverSettings) -> bool: ...
     def __getstate__(self) -> dict: ...
+    def __reduce__(self) -> typing.Any: ...
     def __repr__(self) -> str: ...
     def __setstate__(self, arg0: dict) -> None: ...
     def to_dict(self) -> dict:
@@ -2306,9 +2387,37 @@ class ObserverSettings:
     @sole_tilt.setter
     def sole_tilt(self, value: float) -> None: ...
 
+class CommandSettings:
+    """
+    Which velocities may be commanded.
+    """
+
+    __hash__: typing.ClassVar[None] = None
+    def __copy__(self) -> CommandSettings: ...
+    def __deepcopy__(self, arg0: dict) -> CommandSettings: ...
+    def __eq__(self, arg0: CommandSettings) -> bool: ...
+    def __getstate__(self) -> dict: ...
+    def __reduce__(self) -> typing.Any: ...
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: dict) -> None: ...
+    def to_dict(self) -> dict:
+        """
+        The group's settings by name, as plain Python values.
+        """
+    @property
+    def limit(self) -> bool:
+        """Whether commands and profiles are kept within what the torques of the legs and the friction under the soles give. With false only the reach of the legs limits them. Default: True."""
+    @limit.setter
+    def limit(self, value: bool) -> None: ...
+    @property
+    def share(self) -> float:
+        """Share of those torques and that friction that a commanded velocity may use. More than 1 allows faster walks, which cut torques and slide. Default: 1.0."""
+    @share.setter
+    def share(self, value: float) -> None: ...
+
 class FallSettings:
     """
-    What counts as a fall, which ends the run.
+    What counts as a fall, when one is foreseen, and what the robot does then.
     """
 
     __hash__: typing.ClassVar[None] = None
@@ -2316,6 +2425,7 @@ class FallSettings:
     def __deepcopy__(self, arg0: dict) -> FallSettings: ...
     def __eq__(self, arg0: FallSettings) -> bool: ...
     def __getstate__(self) -> dict: ...
+    def __reduce__(self) -> typing.Any: ...
     def __repr__(self) -> str: ...
     def __setstate__(self, arg0: dict) -> None: ...
     def to_dict(self) -> dict:
@@ -2334,9 +2444,29 @@ class FallSettings:
     def tilt(self, value: float) -> None: ...
     @property
     def foot_tilt(self) -> float:
-        """The robot has fallen where the only foot that stands tilts by more than this, as it tips over its edge. Unit: rad. Default: 0.3."""
+        """A fall is foreseen where the only foot that stands tilts by more than this, as it tips over its edge. Unit: rad. Default: 0.45."""
     @foot_tilt.setter
     def foot_tilt(self, value: float) -> None: ...
+    @property
+    def foresee(self) -> bool:
+        """Whether a fall is foreseen: it is certain once no foothold within reach, and no time of landing, can catch the DCM (COM + T_c times its velocity) any more. Default: True."""
+    @foresee.setter
+    def foresee(self, value: bool) -> None: ...
+    @property
+    def crouch(self) -> bool:
+        """Whether the robot crouches once a fall is foreseen: the legs bend and every joint is damped, until the walk is started anew. With false it walks on as if nothing were foreseen. Default: True."""
+    @crouch.setter
+    def crouch(self, value: bool) -> None: ...
+    @property
+    def margin(self) -> float:
+        """How far the DCM must be beyond what any foothold within reach can catch before the fall counts as certain. Trunk, arms and what the pendulum does not know may bring back that much. Unit: m. Default: 0.03 z_c."""
+    @margin.setter
+    def margin(self, value: float) -> None: ...
+    @property
+    def confirm_time(self) -> float:
+        """How long the DCM must be that far off without a break before the fall counts as certain: a noisy measurement alone fells nobody. Unit: s. Default: 0.04 T_c."""
+    @confirm_time.setter
+    def confirm_time(self, value: float) -> None: ...
 
 class VelocityProfile:
     """
@@ -2357,6 +2487,7 @@ class VelocityProfile:
         Raises:
             InputError, DimensionError.
         """
+    def __reduce__(self) -> typing.Any: ...
     def displacement(
         self, t0: typing.SupportsFloat | typing.SupportsIndex, t1: typing.SupportsFloat | typing.SupportsIndex
     ) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
@@ -2397,6 +2528,17 @@ class Foot:
     """
     One flat foot: body, sole frame and size, and the six joints of its leg, hip to ankle.
     """
+    def __getstate__(
+        self,
+    ) -> tuple[
+        str,
+        str,
+        typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"],
+        typing.Annotated[numpy.typing.NDArray[numpy.float64], "[4, 1]"],
+        float,
+        float,
+        list[str],
+    ]: ...
     def __init__(
         self,
         *,
@@ -2408,6 +2550,8 @@ class Foot:
         width: typing.SupportsFloat | typing.SupportsIndex,
         leg_joints: collections.abc.Sequence[str],
     ) -> None: ...
+    def __reduce__(self) -> typing.Any: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
     @property
     def body(self) -> str:
         """
@@ -2452,6 +2596,19 @@ class RobotDescription:
     def __repr__(description: RobotDescription) -> str: ...
     @staticmethod
     def _repr_html_(description: RobotDescription) -> str: ...
+    def __getstate__(
+        self,
+    ) -> tuple[
+        str,
+        str,
+        Foot,
+        Foot,
+        dict[str, float],
+        typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"],
+        typing.Annotated[numpy.typing.NDArray[numpy.float64], "[4, 1]"],
+        str,
+        dict[str, float],
+    ]: ...
     def __init__(
         self,
         *,
@@ -2465,6 +2622,8 @@ class RobotDescription:
         stand_keyframe: str = "",
         torque_limits: collections.abc.Mapping[str, typing.SupportsFloat | typing.SupportsIndex] = {},
     ) -> None: ...
+    def __reduce__(self) -> typing.Any: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
     def check(self, model: typing.Any) -> None:
         """
         Raises ModelError unless this robot is in `model` and can walk.
@@ -2531,6 +2690,7 @@ class LegParts:
         side: str = "",
         sole: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"] | None = None,
     ) -> None: ...
+    def __reduce__(self) -> typing.Any: ...
     @property
     def foot(self) -> int:
         """
@@ -2563,6 +2723,7 @@ class RobotParts:
         legs: collections.abc.Sequence[LegParts],
         forward: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"] = ...,
     ) -> None: ...
+    def __reduce__(self) -> typing.Any: ...
     @property
     def forward(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
@@ -2583,6 +2744,7 @@ class FrameState:
     """
     A frame on the robot, such as a sole's: origin at its centre, x forward, z up. World axes.
     """
+    def __reduce__(self) -> typing.Any: ...
     @property
     def J(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[6, n]"]:
         """
@@ -2627,6 +2789,7 @@ class Dynamics:
     """
     def __copy__(self) -> Dynamics: ...
     def __init__(self, nv: typing.SupportsInt | typing.SupportsIndex) -> None: ...
+    def __reduce__(self) -> typing.Any: ...
     @property
     def A(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"]:
         """
@@ -2754,6 +2917,7 @@ class Robot:
         Raises:
             ModelError: the robot cannot walk.
         """
+    def __reduce__(self) -> typing.Any: ...
     def read(self, data: typing.Any) -> Dynamics:
         """
         Dynamics of the state in `data` (a copy).
@@ -2808,6 +2972,7 @@ class JointMotion:
         Raises:
             InputError, DimensionError.
         """
+    def __reduce__(self) -> typing.Any: ...
     def at(
         self, t: typing.SupportsFloat | typing.SupportsIndex
     ) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"]:
@@ -2857,6 +3022,7 @@ class ContactSpace:
         Raises:
             DimensionError.
         """
+    def __reduce__(self) -> typing.Any: ...
     def wrench(
         self, tau: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"]
     ) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
@@ -2911,6 +3077,7 @@ class TaskSpace:
         Raises:
             DimensionError; InputError: the tasks conflict.
         """
+    def __reduce__(self) -> typing.Any: ...
     def force(
         self, f_star: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]
     ) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
@@ -2990,6 +3157,7 @@ class Plane:
         Raises:
             InputError: a number is not finite, or the normal does not point up.
         """
+    def __reduce__(self) -> typing.Any: ...
     def __repr__(self) -> str: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def distance(self, p: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> float:
@@ -3040,6 +3208,7 @@ class Contact:
             length, width: of the sole [m]; NaN: unknown.
             friction: tangential force per normal force that does not slip yet; NaN: unknown.
         """
+    def __reduce__(self) -> typing.Any: ...
     def can_carry(self, f: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[6, 1]"]) -> bool:
         """
         True where the sole can give this wrench (6,), robot on ground: pressed, its centre of pressure on the sole, within friction.
@@ -3116,6 +3285,7 @@ class Task:
     """
     Something that the robot is to do while it walks.
     """
+    def __reduce__(self) -> typing.Any: ...
     @property
     def priority(self) -> int:
         """
@@ -3142,6 +3312,7 @@ class PoseReference:
         velocity: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[6, 1]"] = ...,
         acceleration: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[6, 1]"] = ...,
     ) -> None: ...
+    def __reduce__(self) -> typing.Any: ...
     @property
     def R(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 3]"]:
         """
@@ -3183,6 +3354,7 @@ class FrameTask(Task):
         kp: typing.SupportsFloat | typing.SupportsIndex = 400.0,
         kd: typing.SupportsFloat | typing.SupportsIndex = 40.0,
     ) -> None: ...
+    def __reduce__(self) -> typing.Any: ...
     def follow(self, reference: collections.abc.Callable[[float], PoseReference]) -> None:
         """
         The reference is a function of the time since the task began [s] that returns a PoseReference.
@@ -3207,6 +3379,7 @@ class JointTask(Task):
         kp: typing.SupportsFloat | typing.SupportsIndex = 400.0,
         kd: typing.SupportsFloat | typing.SupportsIndex = 40.0,
     ) -> None: ...
+    def __reduce__(self) -> typing.Any: ...
     def follow(self, motion: JointMotion) -> None:
         """
         The references follow `motion` from when the task begins.
@@ -3226,11 +3399,13 @@ class MomentumTask(Task):
     Keeps the angular momentum about the COM small: it is brought to that of one body which turns as the walk turns.
     """
     def __init__(self, axes: str = "yaw", kd: typing.SupportsFloat | typing.SupportsIndex = 20.0) -> None: ...
+    def __reduce__(self) -> typing.Any: ...
 
 class TaskState:
     """
     The robot at one instant, as a task of your own gets it. It may be used only while its compute(state) runs.
     """
+    def __reduce__(self) -> typing.Any: ...
     def frame(self, name: str) -> FrameState:
         """
         FrameState of a body or site: p_WF, R_WF, velocity, J (6, nv), drift (6,). The first compute(state), when the task is
@@ -3265,6 +3440,7 @@ class PythonTask(Task):
     A Python object with compute(state) as a task.
     """
     def __init__(self, task: typing.Any) -> None: ...
+    def __reduce__(self) -> typing.Any: ...
 
 class TaskAccelerations:
     """
@@ -3277,6 +3453,7 @@ class TaskAccelerations:
         swing: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[6, 1]"],
         posture: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"],
     ) -> None: ...
+    def __reduce__(self) -> typing.Any: ...
     @property
     def com(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
@@ -3310,6 +3487,7 @@ class WholeBodyResult:
     """
     Torque, motion and contact wrenches.
     """
+    def __reduce__(self) -> typing.Any: ...
     @property
     def damped(self) -> bool:
         """
@@ -3359,6 +3537,7 @@ class WholeBodyController:
         Raises:
             DimensionError.
         """
+    def __reduce__(self) -> typing.Any: ...
     def prepare(
         self,
         dynamics: typing.Any,
@@ -3414,6 +3593,7 @@ class ZmpEstimate:
     """
     What a torque will do to the ground.
     """
+    def __reduce__(self) -> typing.Any: ...
     @property
     def f_c(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[12, 1]"]:
         """
@@ -3432,6 +3612,7 @@ class ZmpEstimator:
     Estimates the ZMP that a torque will produce, before it is sent (eq. 9-15), with one or two standing feet.
     """
     def __init__(self, nv: typing.SupportsInt | typing.SupportsIndex) -> None: ...
+    def __reduce__(self) -> typing.Any: ...
     def estimate(self, tau: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]) -> ZmpEstimate:
         """
         ZMP and wrenches that the joint torque (joints,) [N m] will produce.
@@ -3474,6 +3655,7 @@ class ReferenceResult:
     """
     What III-B ends with: the reference ZMP for the pendulum, and how good it is.
     """
+    def __reduce__(self) -> typing.Any: ...
     @property
     def converged(self) -> bool: ...
     @property
@@ -3509,6 +3691,7 @@ class LinearInvertedPendulum:
         Raises:
             InputError.
         """
+    def __reduce__(self) -> typing.Any: ...
     def acceleration(
         self, x: typing.SupportsFloat | typing.SupportsIndex, r: typing.SupportsFloat | typing.SupportsIndex
     ) -> float:
@@ -3622,6 +3805,7 @@ class VelocityTracker:
         Raises:
             InputError.
         """
+    def __reduce__(self) -> typing.Any: ...
     def acceleration(
         self,
         v_plan: typing.SupportsFloat | typing.SupportsIndex,
@@ -3660,6 +3844,7 @@ class GaitOutput:
     """
     What the gait asks for in one cycle.
     """
+    def __reduce__(self) -> typing.Any: ...
     @property
     def at_rest(self) -> bool:
         """
@@ -3761,6 +3946,7 @@ class GaitGenerator:
         Raises:
             InputError.
         """
+    def __reduce__(self) -> typing.Any: ...
     def command(self, velocity: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> None:
         """
         Commands a velocity: from the next cycle on the plan goes towards (v_x, v_y, w_z), whatever the profile says.
@@ -3828,6 +4014,7 @@ class State:
         Usage:
             >>> out = controller.update(State(t, q, dq))
         """
+    def __reduce__(self) -> typing.Any: ...
     def __repr__(self) -> str: ...
     @property
     def contact(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 1]"]:
@@ -3882,6 +4069,7 @@ class CycleOutput:
     heading of the walk; S, the axes of the support sole.
     """
     def __copy__(self) -> CycleOutput: ...
+    def __reduce__(self) -> typing.Any: ...
     def __repr__(self) -> str: ...
     @property
     def at_rest(self) -> bool:
@@ -3915,6 +4103,11 @@ class CycleOutput:
         Live velocity command that is in force; it is NaN while the velocity profile leads.
 
         (3,): x y yaw [m/s, rad/s], frame H.
+        """
+    @property
+    def command_limit(self) -> int:
+        """
+        What keeps the live command down: 0 nothing, 1 the reach of the legs, 2 torque of a hip, 3 of a knee, 4 friction against turning on the sole, 5 friction against sliding.
         """
     @property
     def damped(self) -> bool:
@@ -3955,6 +4148,18 @@ class CycleOutput:
         Why the robot fell; it is empty where the robot did not.
         """
     @property
+    def fall_foreseen(self) -> bool:
+        """
+        Whether a fall is foreseen; it stays so until the walk is started anew.
+        """
+    @property
+    def fall_gap(self) -> float:
+        """
+        How far the DCM (COM + T_c times its velocity) is beyond what any foothold within reach can catch; it is 0 where one can, and NaN where falls are not foreseen.
+
+        [m].
+        """
+    @property
     def fell(self) -> bool:
         """
         Whether the robot has fallen, which ends the walk.
@@ -3979,6 +4184,16 @@ class CycleOutput:
         Place and direction in which the swing foot is to land; it is NaN in double support.
 
         (3,): x y yaw [m, rad], frame W.
+        """
+    @property
+    def foreseen_cause(self) -> str:
+        """
+        Why a fall is foreseen; it is empty where none is.
+        """
+    @property
+    def foreseen_time(self) -> float:
+        """
+        Since when a fall is foreseen [s]; it is NaN where none is.
         """
     @property
     def fresh(self) -> bool:
@@ -4186,6 +4401,7 @@ class WalkingController:
             ModelError: the robot cannot be walked.
             InputError: a setting breaks a rule, or the profile is faster than the legs reach.
         """
+    def __reduce__(self) -> typing.Any: ...
     def add(self, task: Task, blend: typing.SupportsFloat | typing.SupportsIndex = ...) -> None:
         """
         Adds a task that the robot fulfils while it walks; see the package's WalkingController.
@@ -4200,7 +4416,7 @@ class WalkingController:
         Commands a velocity: from the next cycle on the robot walks with (vx, vy, wz) in the heading frame instead of the profile's
         velocity, until reset().
 
-        It may be called from any thread, at any time. A velocity that the legs cannot reach is scaled down (`within_reach`), and the
+        It may be called from any thread, at any time. A velocity that reach, torques or friction do not allow is scaled down (`within_limits`), and the
         robot takes it up no faster than the settings forward_jump, forward_acceleration, ... allow.
 
         Args:
@@ -4312,6 +4528,12 @@ class WalkingController:
             InputError: the state is not finite, its terms belong to another, or reset() was not called; nothing is
                 changed.
         """
+    def within_limits(
+        self, velocity: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]
+    ) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        """
+        The velocity (v_x, v_y, w_z) as command() takes it: made smaller until reach, torques and friction allow it.
+        """
     def within_reach(
         self, velocity: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]
     ) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
@@ -4373,7 +4595,12 @@ class WalkingController:
     @property
     def speed_limit(self) -> float:
         """
-        largest v_x that the legs reach [m/s]
+        largest v_x that reach, torques and friction allow [m/s]
+        """
+    @property
+    def speed_limits(self) -> dict:
+        """
+        largest velocity forward, backward, sideways [m/s] and turning [rad/s], and what limits each, by name; together they bound a velocity: the sum of its |v| / most is at most 1
         """
     @property
     def task_activations(self) -> list[float]:
@@ -4395,6 +4622,7 @@ class RecordedColumn:
     """
     What a recorded column is: one row of `recorded_columns`.
     """
+    def __reduce__(self) -> typing.Any: ...
     def __repr__(self) -> str: ...
     @property
     def decided(self) -> bool:
@@ -4444,6 +4672,7 @@ class Recorder:
     """
     def __init__(self, controller: WalkingController) -> None: ...
     def __len__(self) -> int: ...
+    def __reduce__(self) -> typing.Any: ...
     def add(self, out: CycleOutput, data: typing.Any) -> None:
         """
         Adds one row. Call it right after mj_step, while `data` holds the contact forces of this cycle. A cycle that held an earlier torque adds none.
@@ -4458,6 +4687,7 @@ class SensorNoise:
     Standard deviations of what is measured; white and Gaussian.
     """
     def __init__(self) -> None: ...
+    def __reduce__(self) -> typing.Any: ...
     @property
     def attitude(self) -> float:
         """
@@ -4499,6 +4729,7 @@ class SignalUncertainty:
     What lies between a robot and its controller: noise, bias, delays, lag. `zmpwalk.Uncertainty` makes it.
     """
     def __init__(self) -> None: ...
+    def __reduce__(self) -> typing.Any: ...
     @property
     def lag(self) -> float:
         """
@@ -4564,6 +4795,7 @@ class Simulation:
         Raises:
             ModelError, InputError.
         """
+    def __reduce__(self) -> typing.Any: ...
     def push(
         self,
         t: typing.SupportsFloat | typing.SupportsIndex,

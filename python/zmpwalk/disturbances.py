@@ -181,6 +181,12 @@ class Uncertainty:
         own = (self.mass, self.inertia, self.links, self.com, self.dry_friction, self.ground_friction)
         return own != (1.0, 1.0, 0.0, 0.0, 0.0, None)
 
+    @staticmethod
+    def root_of(model: mujoco.MjModel, description: _core.RobotDescription) -> int:
+        """The body at the root of the tree that the robot is."""
+        foot = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_BODY, description.left.body)
+        return int(model.body_rootid[max(foot, 0)])
+
     def changed(self, model: mujoco.MjModel, root: int, seed: int) -> mujoco.MjModel:
         """A copy of `model` whose robot, the tree under the body `root`, is what it is in truth."""
         out, random = copy.copy(model), np.random.default_rng(seed % 2**64)

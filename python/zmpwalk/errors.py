@@ -5,10 +5,9 @@ A physical event, such as a fall or a clamped ZMP, is never an error: it is a fl
 
 from __future__ import annotations
 
-import difflib
 from typing import Iterable
 
-__all__ = ["DimensionError", "Error", "InputError", "ModelError", "VersionError", "nearest"]
+__all__ = ["ColumnError", "DimensionError", "Error", "InputError", "ModelError", "VersionError", "nearest"]
 
 
 class Error(Exception):
@@ -24,6 +23,10 @@ class Error(Exception):
 
 class InputError(Error, ValueError):
     """A value breaks a rule: it is NaN, infinite or out of its range, a name is unknown, or a file cannot be read."""
+
+
+class ColumnError(InputError, AttributeError):
+    """A trace does not hold a column that was asked for: it was recorded without it, or its file lacks it."""
 
 
 class DimensionError(Error, ValueError):
@@ -55,5 +58,7 @@ def nearest(name: str, known: Iterable[str]) -> list[str]:
 
     Usage: `nearest("comm", ["com", "dcom", "tau"])  # -> ["com", "dcom"]`
     """
+    import difflib
+
     names = list(known)
     return difflib.get_close_matches(name, names, 3, 0.5) or sorted(names)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
 import csv
+import errno
 import io
 import os
 import shutil
@@ -13,28 +15,64 @@ from typing import Any, Callable, Iterator, Mapping, Sequence
 
 from .errors import InputError
 
-__all__ = ["as_input_error", "cause", "together", "whole", "write_table"]
+try:
+    import fcntl
+except ImportError:  # only Unix has it
+    fcntl = None  # type: ignore[assignment]
+
+__all__ = ["as_input_error", "cause", "read_text", "together", "whole", "write_table"]
+
+DRAFT = ".walk-"  # how the names of draft folders begin
+LARGEST = 64_000_000  # bytes of a text file, which is read whole
+
+
+def read_text(path: str | os.PathLike, kind: str = "a text file", largest: int = LARGEST) -> str:
+    """The text of a file in UTF-8. A byte order mark is left out.
+
+    Args:
+        kind: what it has to be, in words.
+        largest: size that is read [bytes]; what has no end, such as a device, is not read further.
+
+    Raises:
+        InputError: it cannot be read, is larger, or is no text.
+
+    Usage: `read_text("walk.toml")`
+    """
+    try:
+        with open(path, "rb") as file:
+            raw = file.read(largest + 1)
+    except OSError as error:
+        raise InputError(f"{path}: {cause(error)}") from None
+    except ValueError:
+        raise InputError(f"{path!r} is no name of a file") from None
+    if len(raw) > largest:
+        raise InputError(f"{path}: it is larger than {largest / 1e6:g} MB, the most that is read of such a file")
+    try:
+        return raw.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise InputError(f"{path}: not {kind} ({error})") from None
 
 
 @contextmanager
 def whole(path: str | os.PathLike) -> Iterator[Path]:
-    """A hidden draft beside `path`, with the same suffix, that becomes the file when the block ends.
+    """A hidden draft beside `path`, of the same name, that becomes the file when the block ends.
 
-    Where the block raises, the draft is removed and what was at `path` before is still there.
+    Where the block raises, the draft is removed and what was at `path` before is still there. What is no file, such as
+    /dev/stdout, is written at once.
 
     Raises:
-        OSError: the folder does not exist or cannot be written.
+        OSError: the folder does not exist or cannot be written, or `path` is a folder.
 
     Usage: `with whole("walk.csv") as draft: draft.write_text(table)`
     """
     path = Path(path)
-    draft = path.with_name(f".{os.getpid()}-{path.name}")
-    try:
-        yield draft
-        os.replace(draft, path)
-    finally:
-        if draft.exists():
-            draft.unlink()
+    _require_no_folder(path)
+    if path.exists() and not path.is_file():
+        yield path
+        return
+    with _draft_folder(path.parent) as folder:
+        yield folder / path.name
+        os.replace(folder / path.name, path)
 
 
 def write_table(path: str | os.PathLike, rows: Sequence[Mapping[str, Any]]) -> Path:
@@ -66,22 +104,24 @@ def together(folder: Path) -> Iterator[tuple[Path, Callable[[Sequence[Path]], No
 
     Usage: `with together(out) as (draft, deliver): deliver([trace.save(draft / "trace.npz")])`
     """
-    made = [parent for parent in (folder, *folder.parents) if not parent.exists()]
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        draft = Path(tempfile.mkdtemp(prefix=".walk-", dir=folder))
-    except OSError as error:
-        _remove_empty(made)
-        raise _cannot_write(folder, error) from None
 
     def deliver(files: Sequence[Path]) -> None:
-        for file in files:
-            os.replace(file, folder / file.name)
+        with as_input_error(folder):
+            for file in files:  # a folder in the way of the last file must not part the set
+                _require_no_folder(folder / file.name)
+            for file in files:
+                os.replace(file, folder / file.name)
 
+    made: list[Path] = []
     try:
-        yield draft, deliver
+        with as_input_error(folder):
+            made += [parent for parent in (folder, *folder.parents) if not parent.exists()]
+            folder.mkdir(parents=True, exist_ok=True)
+        with contextlib.ExitStack() as stack:
+            with as_input_error(folder):
+                draft = stack.enter_context(_draft_folder(folder))
+            yield draft, deliver
     finally:
-        shutil.rmtree(draft, ignore_errors=True)
         _remove_empty(made)
 
 
@@ -103,6 +143,54 @@ def cause(error: OSError) -> str:
     Usage: `raise InputError(f"{path}: {cause(error)}")`
     """
     return (error.strerror or str(error)).lower()
+
+
+def _require_no_folder(path: Path) -> None:
+    if path.is_dir():
+        raise IsADirectoryError(errno.EISDIR, f"'{path.name or path}' is a directory")
+
+
+@contextmanager
+def _draft_folder(parent: Path) -> Iterator[Path]:
+    """A new hidden folder in `parent`, gone when the block ends; those that killed processes have left go now.
+
+    Whoever works in a draft folder holds a lock on it, which the system takes away from a process that dies. To make
+    and lock one, and to look for unlocked ones, takes the lock of `parent`, so that no folder is seen before its lock. A
+    draft folder has its lock already, by whoever writes in it, and nobody else does.
+    """
+    is_draft = parent.name.startswith(DRAFT)
+    with contextlib.nullcontext(False) if is_draft else _locked(parent) as alone:
+        if alone:
+            for left in parent.glob(f"{DRAFT}*"):
+                with _locked(left, wait=False) as unused:
+                    if unused:
+                        shutil.rmtree(left, ignore_errors=True)
+        draft = Path(tempfile.mkdtemp(prefix=DRAFT, dir=parent))
+        held = contextlib.ExitStack()
+        held.enter_context(_locked(draft))
+    try:
+        with held:
+            yield draft
+    finally:
+        shutil.rmtree(draft, ignore_errors=True)
+
+
+@contextmanager
+def _locked(folder: Path, wait: bool = True) -> Iterator[bool]:
+    """Holds the lock of a folder; False where another process does, or where the system or disk has no such locks."""
+    if fcntl is None:
+        yield False
+        return
+    handle = os.open(folder, os.O_RDONLY)
+    try:
+        try:
+            fcntl.flock(handle, fcntl.LOCK_EX | (0 if wait else fcntl.LOCK_NB))
+            got = True
+        except OSError:
+            got = False
+        yield got
+    finally:
+        os.close(handle)
 
 
 def _cannot_write(path: str | os.PathLike, error: OSError) -> InputError:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import io
 import math
 import os
 from typing import Any, Callable, Mapping, Protocol, Sequence
@@ -11,8 +12,9 @@ import mujoco
 import numpy as np
 
 from . import _core
+from .checks import positive, samples
 from .errors import InputError
-from .files import cause
+from .files import read_text
 
 __all__ = ["JointMotion"]
 
@@ -77,12 +79,10 @@ class JointMotion(_core.JointMotion):
 
         Usage: `JointMotion.from_function(lambda t: [0.3 * math.sin(3 * t)], ["waist_yaw"], duration=20)`
         """
-        for name, value in (("duration", duration), ("dt", dt), ("ease", ease)):
-            if not (math.isfinite(value) and value > 0):
-                raise InputError(f"{name} is {value:g} s; it must be positive and finite")
+        duration, dt, ease = positive("duration", duration), positive("dt", dt), positive("ease", ease)
         if duration <= 2 * ease:
             raise InputError(f"duration is {duration:g} s; it must be more than twice ease, {ease:g} s")
-        t = np.linspace(0.0, duration, math.ceil(duration / dt - 1e-9) + 1)
+        t = np.linspace(0.0, duration, samples(duration, dt) + 1)
         # Clock rate 3 s^2 - 2 s^3 within `ease` of either end, s = 0 at the end itself.
         begun, left = (np.clip(x / ease, 0, 1) for x in (t, duration - t))
         lost = ease * (begun - begun**3 + begun**4 / 2 - left + left**3 - left**4 / 2 + 0.5)
@@ -111,8 +111,7 @@ class JointMotion(_core.JointMotion):
 
         Usage: `JointMotion.sine({"l_shoulder_pitch": 0.5, "r_shoulder_pitch": -0.5}, frequency=1.0, duration=10)`
         """
-        if not (math.isfinite(frequency) and frequency > 0):
-            raise InputError(f"frequency is {frequency:g} Hz; it must be positive and finite")
+        frequency = positive("frequency", frequency, "Hz")
         a = np.array(list(amplitude.values()), float)
         c, p = (np.array([(given or {}).get(name, 0.0) for name in amplitude], float) for given in (centre, phase))
         omega = 2 * math.pi * frequency
@@ -145,9 +144,8 @@ class JointMotion(_core.JointMotion):
 
         Usage: `controller.move(JointMotion.random(controller, seed=3))`
         """
-        for name, value in (("max_speed", max_speed), ("duration", duration), ("spacing", spacing)):
-            if not (math.isfinite(value) and value > 0):
-                raise InputError(f"{name} is {value:g}; it must be positive and finite")
+        max_speed = positive("max_speed", max_speed, "rad/s")
+        duration, spacing = positive("duration", duration), positive("spacing", spacing)
         names = list(controller.arm_joints if names is None else names)
         for name in names:
             if name not in controller.joint_names:
@@ -158,7 +156,7 @@ class JointMotion(_core.JointMotion):
         limited = model.jnt_limited[joints] != 0
         low = np.where(limited, model.jnt_range[joints, 0], stand - UNLIMITED)
         high = np.where(limited, model.jnt_range[joints, 1], stand + UNLIMITED)
-        t = np.linspace(0.0, duration, max(2, round(duration / spacing) + 1))
+        t = np.linspace(0.0, duration, max(2, samples(duration, spacing) + 1))
         q = np.tile(stand, (len(t), 1))
         for k in range(1, len(t) - 1):
             q[k] = rng.uniform(low, high)
@@ -184,12 +182,10 @@ class JointMotion(_core.JointMotion):
         Usage: `JointMotion.from_csv("wave.csv")`
         """
         name = os.fspath(path)
+        table = csv.reader(io.StringIO(read_text(path, "a CSV text file"), newline=""))
         try:
-            with open(name, newline="", encoding="utf-8-sig") as file:
-                rows = [(number, [cell.strip() for cell in row]) for number, row in enumerate(csv.reader(file), 1)]
-        except OSError as error:
-            raise InputError(f"{name}: {cause(error)}") from None
-        except (UnicodeDecodeError, csv.Error) as error:
+            rows = [(number, [cell.strip() for cell in row]) for number, row in enumerate(table, 1)]
+        except csv.Error as error:
             raise InputError(f"{name}: not a CSV text file ({error})") from None
         rows = [(number, row) for number, row in rows if any(row) and not row[0].startswith("#")]
         if len(rows) < 2 or rows[0][1][0] != "t":
@@ -202,9 +198,9 @@ class JointMotion(_core.JointMotion):
                 raise InputError(f"{name}, line {number}: {error}; every value must be a number") from None
             if len(row) != len(names) + 1:
                 raise InputError(f"{name}, line {number}: {len(row)} values where the header has {len(names) + 1}")
-        table = np.array(values)
+        knots = np.array(values)
         try:
-            return cls(table[:, 0], names, table[:, 1:])
+            return cls(knots[:, 0], names, knots[:, 1:])
         except InputError as error:
             raise InputError(f"{name}: {error}") from None
 

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import csv
+import io
 import math
 import os
 import reprlib
-from numbers import Real
 from typing import Any, Callable, Iterable, Mapping, Sequence, Tuple, Union
 
 import numpy as np
 
 from . import _core
+from .checks import is_number, positive, samples
 from .errors import DimensionError, InputError
-from .files import cause
+from .files import read_text
 
 __all__ = ["Profile", "VelocityProfile", "profile_of"]
 
@@ -99,7 +100,7 @@ class VelocityProfile(_core.VelocityProfile):
 
         Usage: `VelocityProfile.ramp(0.0, 0.25, 4.0)`
         """
-        return cls._from_points([(0.0, v0), (_positive("duration", duration), v1)], "linear")
+        return cls._from_points([(0.0, v0), (positive("duration", duration), v1)], "linear")
 
     @classmethod
     def from_function(cls, f: Callable[[float], Velocity], duration: float, dt: float = 0.01) -> VelocityProfile:
@@ -115,8 +116,8 @@ class VelocityProfile(_core.VelocityProfile):
 
         Usage: `VelocityProfile.from_function(lambda t: 0.2 + 0.05 * math.sin(t), duration=20)`
         """
-        duration, dt = _positive("duration", duration), _positive("dt", dt)
-        count = max(1, math.ceil(duration / dt - 1e-9))
+        duration, dt = positive("duration", duration), positive("dt", dt)
+        count = samples(duration, dt)
         t = np.minimum(dt * np.arange(count + 1), duration)
         return cls._from_points([(s, f(s)) for s in t.tolist()], "linear")
 
@@ -220,7 +221,7 @@ class VelocityProfile(_core.VelocityProfile):
         for key in ("t", "v"):
             if key not in plain:
                 raise InputError(f"a profile needs the key '{key}'; it has {', '.join(map(repr, plain)) or 'none'}")
-        return cls(plain["t"], np.asarray(plain["v"], float).reshape(-1, 3), plain.get("interpolation", "hold"))
+        return cls(plain["t"], _rows(plain["v"]), plain.get("interpolation", "hold"))
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (np.array(self.t), np.array(self.v), self.interpolation)
@@ -261,16 +262,16 @@ def profile_of(profile: Profile) -> VelocityProfile:
     if isinstance(profile, os.PathLike):
         return VelocityProfile.from_csv(profile)
     given: Any = profile
-    if _is_number(given) and math.isfinite(given):
+    if is_number(given):
         return VelocityProfile.constant(given)
     if isinstance(given, Mapping):
         if "t" in given and "v" in given:
             return VelocityProfile.from_dict(dict(given))  # as a trace keeps it
         return VelocityProfile.piecewise(given.items())
     items: list[Any] = list(given) if isinstance(given, (Sequence, np.ndarray)) else []
-    if len(items) == 3 and all(map(_is_number, items)):
+    if len(items) == 3 and all(map(is_number, items)):
         return VelocityProfile.constant(items)
-    if items and not any(map(_is_number, items)):
+    if items and not any(map(is_number, items)):
         return VelocityProfile.piecewise(items)
     if callable(profile):
         raise InputError("profile is a function; give VelocityProfile.from_function(f, duration) instead")
@@ -280,14 +281,17 @@ def profile_of(profile: Profile) -> VelocityProfile:
     )
 
 
-def _is_number(x: Any) -> bool:
-    return isinstance(x, Real) and not isinstance(x, bool)
+def _rows(v: Any) -> np.ndarray:
+    try:
+        return np.asarray(v, float).reshape(-1, 3)
+    except (OverflowError, TypeError, ValueError):
+        raise InputError(f"the key 'v' of a profile is {reprlib.repr(v)}; it must be rows [vx, vy, wz]") from None
 
 
 def _time(t: Any) -> float:
     try:
         return float(t)
-    except (TypeError, ValueError):
+    except (OverflowError, TypeError, ValueError):
         raise InputError(f"time {t!r} is not a number; a profile's pairs are (t, v), t in seconds") from None
 
 
@@ -295,7 +299,7 @@ def three(v: Velocity) -> np.ndarray:
     """vx or (vx, vy, wz) as (3,)."""
     try:
         array = np.asarray(v, float)
-    except (TypeError, ValueError):
+    except (OverflowError, TypeError, ValueError):
         raise InputError(f"velocity {v!r} is not a number; it is vx or (vx, vy, wz)") from None
     if array.size == 1:
         return np.array([float(array.reshape(())), 0.0, 0.0])
@@ -304,21 +308,13 @@ def three(v: Velocity) -> np.ndarray:
     return array
 
 
-def _positive(name: str, value: float) -> float:
-    if not (math.isfinite(value) and value > 0):
-        raise InputError(f"{name} is {value:g} s; it must be positive and finite")
-    return float(value)
-
-
 def _read_csv(path: str | os.PathLike) -> list:
     """Rows [t, vx, vy, wz] of a CSV file, every value checked where its line is known."""
     name = os.fspath(path)
+    table = csv.reader(io.StringIO(read_text(path, "a CSV text file"), newline=""))
     try:
-        with open(name, newline="", encoding="utf-8-sig") as file:
-            lines = [(number, [cell.strip() for cell in cells]) for number, cells in enumerate(csv.reader(file), 1)]
-    except OSError as error:
-        raise InputError(f"{name}: {cause(error)}") from None
-    except (UnicodeDecodeError, csv.Error) as error:
+        lines = [(number, [cell.strip() for cell in cells]) for number, cells in enumerate(table, 1)]
+    except csv.Error as error:
         raise InputError(f"{name}: not a CSV text file ({error})") from None
     lines = [(number, cells) for number, cells in lines if any(cells) and not cells[0].startswith("#")]
     columns: tuple[str, ...] = COLUMNS

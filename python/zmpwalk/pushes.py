@@ -23,8 +23,9 @@ from .files import write_table
 from .given import Settings
 from .profiles import VelocityProfile, three
 from .robots import Robot, description_to_dict, load_robot
+from .robots.source import model_bytes
 from .simulation import WalkingController, name_of, processors
-from .trace import model_bytes, plain
+from .trace import ABOVE, plain
 from .verdict import RECOVERY
 
 __all__ = ["PUSH_TIME", "PushMap", "push_map"]
@@ -33,9 +34,6 @@ PUSH_TIME = 0.08  # how long a push lasts [s]
 ACCELERATION = 0.2  # at which the walk before the pushes gains its speed [m/s^2, rad/s^2]
 SETTLE = 8.0  # of walking at the full speed before the first push [s]
 STANCES = ("left", "right")
-
-# The room that draws stands on this one; `zmpwalk/__init__.py` puts its function here.
-ABOVE: dict[str, Callable[..., Any]] = {}
 
 
 @dataclass(frozen=True)
@@ -140,7 +138,7 @@ class PushMap:
 
         Usage: `push_map().plot().savefig("pushes.png")`
         """
-        return ABOVE["plot"](self, axes)
+        return ABOVE["plot_pushes"](self, axes)
 
     def to_dict(self) -> dict[str, Any]:
         """Plain numbers and words that JSON can hold; NaN becomes None."""

@@ -296,7 +296,7 @@ def video(
     try:
         import imageio.v2 as imageio
     except ImportError:
-        raise ImportError('videos need imageio: pip install "zmpwalk[video]"') from None
+        raise ImportError("videos need imageio: pip install imageio imageio-ffmpeg") from None
     if not (fps > 0 and speed > 0):
         raise InputError(f"fps is {fps:g} and speed {speed:g}; both must be positive")
     path, model = Path(path), trace.model

@@ -5,18 +5,12 @@ from __future__ import annotations
 import json
 import math
 import os
-import sys
 import textwrap
-from pathlib import Path
 from typing import Any
 
 from ._core import WalkingController, WalkSettings
 from .errors import InputError
-
-if sys.version_info >= (3, 11):
-    import tomllib
-else:
-    import tomli as tomllib
+from .files import read_text
 
 __all__ = ["load_settings", "read_toml", "settings_toml"]
 
@@ -61,11 +55,18 @@ def read_toml(path: str | os.PathLike) -> dict[str, Any]:
     Usage: `read_toml("walk.toml")["law"]`
     """
     try:
-        return tomllib.loads(Path(path).read_text(encoding="utf-8"))
-    except OSError as error:
-        raise InputError(f"{path}: {(error.strerror or str(error)).lower()}") from None
-    except ValueError as error:  # TOML and encoding
+        import tomllib
+    except ImportError:  # before Python 3.11
+        import tomli as tomllib
+
+    try:
+        return tomllib.loads(read_text(path, "TOML"))
+    except InputError:
+        raise
+    except ValueError as error:
         raise InputError(f"{path}: not TOML: {error}") from None
+    except RecursionError:
+        raise InputError(f"{path}: not TOML that makes sense: it is nested too deep") from None
 
 
 def settings_toml(controller: WalkingController, given: WalkSettings) -> str:

@@ -6,7 +6,6 @@
 from __future__ import annotations
 
 import base64
-import html
 import math
 from typing import Any, Callable, Iterable
 
@@ -139,14 +138,18 @@ def _controller_html(controller: WalkingController) -> str:
 
 
 def _page(title: str, *parts: str | None) -> str:
+    from html import escape
+
     body = "".join(f"<div style='margin-right:1.5em'>{part}</div>" for part in parts if part)
-    return f"<div><b>{html.escape(title)}</b><div style='display:flex;flex-wrap:wrap'>{body}</div></div>"
+    return f"<div><b>{escape(title)}</b><div style='display:flex;flex-wrap:wrap'>{body}</div></div>"
 
 
 def _table(rows: Iterable[Cells], head: Cells = ()) -> str:
+    from html import escape
+
     def line(cells: Cells, tag: str) -> str:
         style = " style='text-align:left;vertical-align:top'"
-        return "<tr>" + "".join(f"<{tag}{style}>{html.escape(str(cell))}</{tag}>" for cell in cells) + "</tr>"
+        return "<tr>" + "".join(f"<{tag}{style}>{escape(str(cell))}</{tag}>" for cell in cells) + "</tr>"
 
     top = line(head, "th") if list(head) else ""
     return f"<table>{top}{''.join(line(row, 'td') for row in rows)}</table>"

@@ -8,7 +8,7 @@ import math
 import os
 import platform
 import threading
-from concurrent.futures import FIRST_EXCEPTION, ThreadPoolExecutor, wait
+import warnings
 from dataclasses import dataclass, field
 from typing import Any, Callable, Iterable, Mapping, Sequence, Union
 
@@ -17,15 +17,16 @@ import numpy as np
 
 from . import _core, tasks
 from ._build import VERSION
+from .checks import positive
 from .disturbances import Push, Pushes, Uncertainty, pushes_of, uncertainty_of
 from .errors import InputError
 from .given import Settings, settings_of
 from .motion import JointMotion
 from .profiles import Profile, VelocityProfile, profile_of, three
 from .robots import Robot, RobotDescription, describe, description_to_dict
-from .robots.load import read_robot
-from .terrain import Terrain, TerrainLike, load_scene
-from .trace import Trace, model_bytes, plain
+from .robots.source import Given, Source, given_source, model_bytes
+from .terrain import Terrain, TerrainLike, load_scene, scene_model
+from .trace import Trace, plain
 
 __all__ = ["Recorder", "WalkingController", "simulate", "simulate_batch"]
 
@@ -33,6 +34,7 @@ Progress = Callable[[float, float], None]
 Steer = Callable[[float, Any], Union[float, Sequence[float], None]]
 COMMAND_INTERVAL = 0.02  # between calls of `command` [s]
 ON_FALL = ("stop", "go_on")
+LONGEST = 1e7  # walk [s]
 _NO_MOTION = _core.JointMotion([0.0], [], np.zeros((1, 0)))
 
 
@@ -47,10 +49,12 @@ class WalkingController(_core.WalkingController):
             None takes `WalkSettings()`.
         profile: planned velocity: a `VelocityProfile`, vx [m/s], (vx, vy, wz), pairs (t, v), a text such as
             "0:0.1,2:0.2" or a CSV file; None takes `VelocityProfile.paper()`.
+        source: the file that the model was compiled from, or its text, for traces (`simulate`).
 
     Raises:
         ModelError: the model lacks what the description names, or cannot walk.
-        InputError: a setting breaks its rule, or the profile is faster than the legs reach; the message says the limit.
+        InputError: a setting breaks its rule, or the profile is faster than reach, torques or friction
+            allow; the message says the limit.
 
     Usage: `controller = zmpwalk.WalkingController(model); controller.reset(data); out = controller.update(data)`
     """
@@ -61,6 +65,7 @@ class WalkingController(_core.WalkingController):
         description: RobotDescription | None = None,
         settings: Settings = None,
         profile: Profile = None,
+        source: Given = None,
     ):
         super().__init__(
             model,
@@ -69,6 +74,7 @@ class WalkingController(_core.WalkingController):
             profile=profile_of(profile),
         )
         self._model = model
+        self._source = given_source(source, model) if source is not None else None
         self._tasks: list[dict[str, Any]] = []  # which task was added in which cycle, and in which it was removed
 
     def __repr__(self) -> str:
@@ -79,6 +85,11 @@ class WalkingController(_core.WalkingController):
     def model(self) -> mujoco.MjModel:
         """The model that was given."""
         return self._model
+
+    @property
+    def source(self) -> Source | None:
+        """The files that the model was compiled from; None where it was not loaded from a file or was changed since."""
+        return self._source or given_source(None, self._model)
 
     @property
     def profile(self) -> VelocityProfile:
@@ -199,6 +210,7 @@ class Recorder:
         self._recorder = _core.Recorder(controller)
         self._robot = robot
         self._cause = ""
+        self._foreseen = (math.nan, "")
 
     def add(self, out: _core.CycleOutput, data: mujoco.MjData) -> None:
         """Record one cycle. Call it right after `mj_step`, because only then are the contact forces of this cycle
@@ -212,6 +224,8 @@ class Recorder:
         """
         self._recorder.add(out, data)
         self._cause = self._cause or str(getattr(out, "fall_cause", "") or "")
+        if out.fall_foreseen and not self._foreseen[1]:
+            self._foreseen = (out.foreseen_time, out.foreseen_cause)
 
     def trace(self) -> Trace:
         """Everything that was recorded so far.
@@ -227,9 +241,11 @@ class Recorder:
             "fell": bool(len(fallen)),
             "fall_time": float(columns["t"][fallen[0]]) if len(fallen) else math.nan,
             "fall_cause": self._cause,
+            "alarm_time": self._foreseen[0],
+            "alarm_cause": self._foreseen[1],
         }
         model, meta = _describe_run(self._controller, self._robot, info, source="recorder")
-        return Trace(columns, meta, model, copy=False)
+        return Trace(columns, meta, model, copy=False, source=self._controller.source)
 
 
 def simulate(
@@ -247,6 +263,7 @@ def simulate(
     uncertainty: Uncertainty | Mapping[str, Any] | None = None,
     simulated: Robot | None = None,
     terrain: TerrainLike | None = None,
+    source: Given = None,
 ) -> Trace:
     """Walk a robot in MuJoCo, wholly in C++, and return what was recorded.
 
@@ -272,14 +289,18 @@ def simulate(
             a body during [t, t + duration). The body None is the trunk: the first body whose name holds "torso" or
             "trunk", else the root body. `Push.impulse` makes one from its impulse. The controller is not told.
         on_fall: "stop" ends the walk where the controller says that the robot has fallen. "go_on" takes this for an
-            alarm, which `meta["alarm_time"]` keeps, and ends only where the robot lies on the ground (something beside
+            alarm and ends only where the robot lies on the ground (something beside
             its legs touches it, or the COM has come down to 30 % of its height) or is not finite: these alone are
-            falls then.
+            falls then. `trace.fall` keeps the fall, and since when it was foreseen; a fall that is only foreseen ends
+            no walk.
         uncertainty: what the controller does not know, or not in time: an `Uncertainty`, or a dictionary of its fields.
         simulated: the robot that is simulated, where it is not the one that the controller knows: it must have the
             bodies that the description names, and the same joints in the same order. `uncertainty` changes this one.
         terrain: ground in place of the floor of the robot's scene: a `Terrain` or a text such as "slope:5",
             "blocks:2,7" or "stairs:12x28" (`Terrain.of`). The controller is not told.
+        source: what `robot` was compiled from where it is an `MjModel`: the path of its MJCF or URDF, the text of an
+            MJCF, or (text, {file name: content}). The trace keeps it, so that it can be filmed and run again under any
+            MuJoCo. A robot that is given by name or path brings its own.
 
     Returns:
         The trace, one row per control cycle.
@@ -295,8 +316,8 @@ def simulate(
         `zmpwalk.simulate(uncertainty={"noise": 1, "torque_delay": 0.004}, seed=3)`
         `zmpwalk.simulate(profile=0.25, terrain="blocks:1", duration=30)`
     """
-    model, description = load_scene(robot, terrain)
-    controller = WalkingController(model, description, settings, profile)
+    model, description = load_scene(robot, terrain, source)
+    controller = WalkingController(model, description, settings, profile, source)
     controller.move(motion)
     for task in tasks:
         controller.add(task)
@@ -342,12 +363,12 @@ def simulate_batch(
         robot, terrain = given.get("robot", "mahru"), given.get("terrain")
         key = tuple(each if isinstance(each, (str, os.PathLike)) else id(each) for each in (robot, terrain))
         if key not in robots:
-            robots[key] = load_scene(robot, terrain)
-        controller = WalkingController(*robots[key], given.get("settings"), given.get("profile"))
+            robots[key] = load_scene(robot, terrain, given.get("source"))
+        controller = WalkingController(*robots[key], given.get("settings"), given.get("profile"), given.get("source"))
         controller.move(given.get("motion"))
         for task in given.get("tasks", ()):
             controller.add(task)
-        duration, seed = check_duration(given.get("duration", 8.0)), _check_seed(given.get("seed", 0))
+        duration, seed = check_duration(given.get("duration", 8.0), controller), _check_seed(given.get("seed", 0))
         outside = Outside.of(
             controller, seed, given.get("push", ()), given.get("on_fall", "stop"), given.get("uncertainty"),
             given.get("simulated"), terrain,
@@ -370,19 +391,25 @@ def simulate_batch(
         done[i] = duration
         return trace
 
-    with ThreadPoolExecutor(threads, thread_name_prefix="zmpwalk") as pool:
-        waiting = {pool.submit(walk, i): i for i in range(len(jobs))}
-        futures = list(waiting)
-        try:
+    from concurrent import futures as threaded
+
+    with threaded.ThreadPoolExecutor(threads, thread_name_prefix="zmpwalk") as pool:
+        futures: list[Any] = []
+        try:  # Ctrl-C may come while jobs are handed over, too
+            for i in range(len(jobs)):
+                futures.append(pool.submit(walk, i))
+            waiting = set(futures)
             while waiting:
-                finished, _ = wait(waiting, timeout=0.05, return_when=FIRST_EXCEPTION)
+                finished, _ = threaded.wait(waiting, timeout=0.05, return_when=threaded.FIRST_EXCEPTION)
                 for future in finished:
                     future.result()
-                    del waiting[future]
+                    waiting.discard(future)
                 if on_progress:
                     on_progress(sum(done), total)
         finally:
             stop.set()
+            for future in futures:
+                future.cancel()
     return [future.result() for future in futures]
 
 
@@ -409,7 +436,7 @@ def run(
 
     Usage: `run(zmpwalk.WalkingController(*zmpwalk.load_robot("mahru")), 8.0)`
     """
-    duration = check_duration(duration)
+    duration = check_duration(duration, controller)
     seed = _check_seed(seed)
     # Always with a callback: running Python now and then is what lets Ctrl-C through.
     progress = on_progress or (lambda t, duration: None)
@@ -423,7 +450,7 @@ def run(
         controller, robot, info, source="simulate", seed=seed, requested_duration=duration, **outside.to_dict()
     )
     simulated = None if outside.simulated is None else model_bytes(outside.simulated)
-    return Trace(columns, meta, model, copy=False, simulated=simulated)
+    return Trace(columns, meta, model, False, simulated, controller.source, outside.source)
 
 
 @dataclass(frozen=True)
@@ -436,7 +463,12 @@ class Outside:
     simulated: mujoco.MjModel | None = None
     """in truth, `uncertainty` included; None where it is the controller's model"""
     seed: int = 0
+    given: bool = False
+    """whether the simulated robot was given, as another than the controller's"""
+    source: Source | None = None
+    """what that robot was compiled from"""
     terrain: str | None = None
+    """the ground that was given, in words"""
 
     @classmethod
     def of(
@@ -454,15 +486,13 @@ class Outside:
             raise InputError(f"on_fall is {on_fall!r}; it must be {' or '.join(ON_FALL)}")
         pushes = [each._replace(body=each.body or _core.trunk_body(controller)) for each in pushes_of(push)]
         unsure = uncertainty_of(uncertainty)
-        model = None
-        if simulated is not None:
-            model = read_robot(simulated)[0] if terrain is None else load_scene(simulated, terrain)[0]
+        given = model = None if simulated is None else scene_model(simulated, terrain)
+        source = None if given is None else given_source(None, given)
         if unsure.changes_model:
             known = controller.model if model is None else model
-            foot = mujoco.mj_name2id(known, mujoco.mjtObj.mjOBJ_BODY, controller.description.left.body)
-            model = unsure.changed(known, int(known.body_rootid[max(foot, 0)]), _check_seed(seed))
+            model = unsure.changed(known, unsure.root_of(known, controller.description), _check_seed(seed))
         ground = None if terrain is None else Terrain.of(terrain).text
-        return cls(pushes, on_fall, unsure, model, _check_seed(seed), ground)
+        return cls(pushes, on_fall, unsure, model, _check_seed(seed), given is not None, source, ground)
 
     @classmethod
     def again(cls, trace: Trace) -> Outside:
@@ -470,7 +500,8 @@ class Outside:
         meta = trace.meta
         return cls(
             pushes_of(meta.get("push", ())), meta.get("on_fall", "stop"), uncertainty_of(meta.get("uncertainty")),
-            trace.simulated_model if meta.get("simulated_sha256") else None, meta.get("seed", 0), meta.get("terrain"),
+            trace.simulated_model if meta.get("simulated_sha256") else None, meta.get("seed", 0),
+            meta.get("simulated_given", False), trace._simulated_source, meta.get("terrain"),
         )  # fmt: skip
 
     def simulation(self, controller: WalkingController) -> _core.Simulation:
@@ -489,6 +520,7 @@ class Outside:
             "uncertainty": self.uncertainty.to_dict(),
             "simulated_sha256": sha,
             "terrain": self.terrain,
+            "simulated_given": self.given,
         }
 
 
@@ -507,25 +539,55 @@ def _check_seed(seed: int) -> int:
     return int(seed)
 
 
-def check_duration(duration: float) -> float:
+def check_duration(duration: float, controller: WalkingController | None = None) -> float:
     """Returns `duration` [s] as a number.
 
+    Args:
+        controller: of the walk, whose record has to find room in the memory of this machine.
+
     Raises:
-        InputError: not a positive, finite number.
+        InputError: not a positive, finite number, or longer than can be recorded.
     """
-    try:
-        duration = float(duration)
-    except (TypeError, ValueError):
-        raise InputError(f"duration is {duration!r}; it must be a number of seconds") from None
-    if not (math.isfinite(duration) and duration > 0):
-        raise InputError(f"duration is {duration:g} s; it must be positive and finite")
+    duration = positive("duration", duration, most=LONGEST)
+    if controller is not None:
+        row = 8 * sum(int(np.prod(column.shape[1:])) for column in _core.Recorder(controller).columns().values())
+        room, dt = _memory(), float(controller.settings.control_dt)
+        if duration / dt * row > room:
+            raise InputError(
+                f"duration is {duration:g} s; the record of such a walk takes {duration / dt * row / 1e9:.3g} GB, and "
+                f"there is room for {room / 1e9:.3g} GB: walk at most {room * dt / row:.0f} s at a time"
+            )
     return duration
+
+
+def _memory() -> float:
+    """How much a record may take: half of the memory of this machine [bytes]."""
+    try:
+        return 0.5 * os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
+    except (AttributeError, OSError, ValueError):
+        return 4e9
 
 
 def rerun(trace: Trace, on_progress: Progress | None = None) -> Trace:
     """See `Trace.rerun`: the same loop from the trace's own model, description, settings and profile."""
+    again = _rerun(trace, on_progress)
+    walked_by = trace.meta.get("versions", {}).get("mujoco")
+    if walked_by != mujoco.__version__:
+        rows = min(len(again.t), len(trace.t))
+        away = float(np.abs(again.com[:rows] - trace.com[:rows]).max(initial=0.0))
+        again.meta["rerun_of"] = {"mujoco": walked_by, "com_away": away, "rows": rows}
+        warnings.warn(
+            f"MuJoCo {walked_by} walked this and MuJoCo {mujoco.__version__} repeated it, so the two may part: within "
+            f"{rows * trace.control_dt:g} s the COM went up to {away:.1e} m away from the recorded one",
+            stacklevel=3,
+        )
+    return again
+
+
+def _rerun(trace: Trace, on_progress: Progress | None) -> Trace:
     model = trace.model
     controller = WalkingController(model, trace.description, trace.settings, trace.profile)
+    controller._source = trace._source
     controller.move(trace.motion)
     change_tasks = _tasks_again(controller, trace)
     change_tasks(0)

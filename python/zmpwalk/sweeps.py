@@ -29,11 +29,10 @@ from .errors import Error, InputError, nearest
 from .files import as_input_error, cause, whole, write_table
 from .given import settings_of
 from .simulation import processors, simulate
-from .trace import Trace, plain
+from .trace import ABOVE, Trace, plain
 
-__all__ = ["ABOVE", "Sweep", "sweep"]
+__all__ = ["Sweep", "sweep"]
 
-ABOVE: dict[str, Callable[..., Any]] = {}  # the chart, put here by `zmpwalk/__init__.py`: that room stands on this one
 Grid = Union[Mapping[str, Sequence[Any]], Iterable[Mapping[str, Any]]]
 Measure = Callable[[Trace], Mapping[str, Any]]
 ARGUMENTS = tuple(name for name in inspect.signature(simulate).parameters if name not in ("on_progress", "command"))
@@ -59,7 +58,9 @@ class Sweep:
 
     def __init__(self, rows: Sequence[Mapping[str, Any]], axes: Sequence[str]):
         names = dict.fromkeys(name for row in rows for name in row)  # in their order
-        self.rows: list[dict[str, Any]] = [{name: row.get(name, math.nan) for name in names} for row in rows]
+        texts = {name for row in rows for name, value in row.items() if isinstance(value, str)}
+        missing = {name: "" if name in texts else math.nan for name in names}
+        self.rows: list[dict[str, Any]] = [{name: row.get(name, missing[name]) for name in names} for row in rows]
         self.axes = list(axes)
 
     def __len__(self) -> int:
@@ -131,7 +132,7 @@ class Sweep:
 
         Usage: `found.plot("speed_error")`
         """
-        return ABOVE["plot"](self, y, x, axes)
+        return ABOVE["plot_sweep"](self, y, x, axes)
 
 
 def sweep(

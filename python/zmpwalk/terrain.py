@@ -2,21 +2,21 @@
 
 from __future__ import annotations
 
-import copy
 import math
 import os
 import xml.etree.ElementTree as ET
 from dataclasses import dataclass, field
-from pathlib import Path
-from typing import Any, NamedTuple, Sequence, Union
+from typing import Any, Mapping, NamedTuple, Sequence, Union
 
 import mujoco
 import numpy as np
 
 from .errors import InputError, ModelError, nearest
 from .robots import Robot, RobotDescription, load_robot, robot_file
+from .robots.load import read_robot
+from .robots.source import Given, Source, remember, source_of
 
-__all__ = ["Patch", "Terrain", "load_scene"]
+__all__ = ["Patch", "Terrain", "load_scene", "scene_model"]
 
 START = 0.5  # where the ground begins to differ from the floor, along x from the start [m]
 BEHIND, AHEAD, ASIDE = 3.0, 40.0, 20.0  # how far the ground goes on around that place [m]
@@ -224,27 +224,41 @@ class Terrain:
         path = robot_file(robot)
         if path.suffix.lower() == ".urdf":
             raise InputError(f"{path}: a terrain takes the place of the floor of an MJCF; a URDF has none")
-        root = _tree(path)
-        floors = [
-            (parent, geom)
-            for world in root.iter("worldbody")
-            for parent in (world, *world.iter("body"))
-            for geom in parent.findall("geom")
-            if geom.get("type") == "plane"
-        ]
-        if not floors:
+        source = source_of(path)
+        if source is None:
+            raise ModelError(f"{path}: it names files that are not there")
+        source = Source(self._in_place_of_floor(source.files, str(path)))
+        model = source.compiled()
+        remember(model, source)  # a trace keeps the ground with the robot
+        return model
+
+    def _in_place_of_floor(self, files: Mapping[str, bytes], path: str) -> dict[str, bytes]:
+        """The files of a scene, without the planes that they hold and with this ground in the first of them."""
+        changed, like = dict(files), None
+        for name in files:
+            if not name.lower().endswith((".xml", ".mjcf")):
+                continue
+            root = ET.fromstring(files[name])
+            floors = [
+                (parent, geom)
+                for world in root.iter("worldbody")
+                for parent in (world, *world.iter("body"))
+                for geom in parent.findall("geom")
+                if geom.get("type") == "plane"
+            ]
+            for parent, geom in floors:
+                parent.remove(geom)
+                like = geom if like is None else like
+            if floors:
+                changed[name] = ET.tostring(root)
+        if like is None:
             raise ModelError(f"{path}: its scene has no floor, a geom of type plane, that a terrain could replace")
-        like = floors[0][1]
-        for parent, geom in floors:
-            parent.remove(geom)
-        world = root.find("worldbody")
-        assert world is not None
-        for k, patch in enumerate(self.patches):
-            world.append(self._box(k, patch, like))
-        try:
-            return mujoco.MjModel.from_xml_string(ET.tostring(root, encoding="unicode"))
-        except ValueError as error:
-            raise ModelError(f"{path}: MuJoCo cannot load it: {' '.join(str(error).split())}") from None
+        main = next(iter(files))
+        root = ET.fromstring(changed[main])
+        ground = ET.SubElement(root, "worldbody")
+        ground.extend([self._box(k, patch, like) for k, patch in enumerate(self.patches)])
+        changed[main] = ET.tostring(root)
+        return changed
 
     def _box(self, k: int, patch: Patch, like: ET.Element) -> ET.Element:
         """A box whose upper side is the patch, with what `like` says of its contact and looks."""
@@ -277,23 +291,41 @@ _KINDS: dict[str, Any] = {
 }
 
 
-def load_scene(robot: Robot, terrain: TerrainLike | None) -> tuple[mujoco.MjModel, RobotDescription]:
+def load_scene(
+    robot: Robot, terrain: TerrainLike | None, source: Given = None
+) -> tuple[mujoco.MjModel, RobotDescription]:
     """What `load_robot` loads, on `terrain` in place of its floor; None leaves the floor.
 
     Raises:
-        InputError, ModelError: as `load_robot`, `Terrain.of` and `Terrain.model`.
+        InputError, ModelError: as `load_robot`, `Terrain.of` and `Terrain.model`; a `source` besides a terrain.
 
     Usage: `model, description = load_scene("mahru", "blocks:2,7")`
     """
     if terrain is None:
         return load_robot(robot)
-    ground = Terrain.of(terrain)
-    if not isinstance(robot, (str, os.PathLike)):
-        raise InputError("a terrain takes the place of the floor in a robot's file; give a name or a path, not a model")
+    if source is not None:
+        raise InputError("a source is for a robot that is given as a model; on a terrain it brings its own")
+    model = scene_model(robot, terrain)
     _, description = load_robot(robot)
-    model = ground.model(robot)
     description.check(model)
     return model, description
+
+
+def scene_model(robot: Robot, terrain: TerrainLike | None) -> mujoco.MjModel:
+    """What `read_robot` reads, on `terrain` in place of its floor; None leaves the floor.
+
+    Raises:
+        InputError, ModelError: as `load_scene`.
+
+    Usage: `model = scene_model("mahru", "slope:3")`
+    """
+    if terrain is None:
+        return read_robot(robot)[0]
+    ground = Terrain.of(terrain)
+    file = robot[0] if isinstance(robot, (tuple, list)) and len(robot) == 2 else robot
+    if not isinstance(file, (str, os.PathLike)):
+        raise InputError("a terrain takes the place of the floor in a robot's file; give a name or a path, not a model")
+    return ground.model(file)
 
 
 def _require(good: bool, kind: str, value: float, rule: str) -> None:
@@ -326,37 +358,3 @@ def _field(piece: Any) -> list[Patch]:
 
 def _text(numbers: Any) -> str:
     return " ".join(repr(float(number)) for number in numbers)
-
-
-def _tree(path: Path) -> ET.Element:
-    """An MJCF with its includes in place and its folders written out, so that it can be compiled from text."""
-    root = _read(path)
-    _include(root, path.parent)
-    own = {"meshdir": ".", "texturedir": "."}
-    for compiler in root.iter("compiler"):
-        asset = compiler.get("assetdir")
-        own = {name: compiler.get(name, asset or value) for name, value in own.items()}
-    for compiler in root.iter("compiler"):
-        for name in ("meshdir", "texturedir", "assetdir"):
-            compiler.attrib.pop(name, None)
-    root.insert(0, ET.Element("compiler", {name: str((path.parent / value).resolve()) for name, value in own.items()}))
-    return root
-
-
-def _read(path: Path) -> ET.Element:
-    try:
-        return ET.parse(path).getroot()
-    except (OSError, ET.ParseError, UnicodeDecodeError) as error:
-        raise ModelError(f"{path}: it cannot be read as XML: {error}") from None
-
-
-def _include(element: ET.Element, folder: Path) -> None:
-    for k, child in reversed(list(enumerate(element))):
-        if child.tag != "include":
-            _include(child, folder)
-            continue
-        inner = _read(folder / child.get("file", ""))
-        _include(inner, folder)
-        element.remove(child)
-        for n, each in enumerate(inner):
-            element.insert(k + n, copy.deepcopy(each))

@@ -7,6 +7,7 @@ import io
 import json
 import math
 import os
+import reprlib
 import typing
 import zipfile
 from pathlib import Path
@@ -18,24 +19,47 @@ import numpy as np
 from ._columns import RecordedColumns
 from ._core import RecordedColumn, RobotDescription, WalkSettings, recorded_columns
 from .analysis import bound_excess
-from .errors import DimensionError, Error, InputError, ModelError, nearest
+from .disturbances import uncertainty_of
+from .errors import ColumnError, DimensionError, Error, InputError, ModelError, nearest
 from .files import cause, whole
 from .motion import JointMotion
 from .profiles import VelocityProfile
 from .robots import description_from_dict
+from .robots.source import Source
 
-__all__ = ["ABOVE", "FORMAT_VERSION", "Trace"]
+__all__ = ["ABOVE", "FORMAT_VERSION", "Fall", "Trace"]
 
-# What a trace does by means of rooms that stand on this one. `zmpwalk/__init__.py` puts their functions here under the
-# names of the methods that call them, so that this room imports none of them.
+# What a trace, and what is made of traces, does by means of rooms that stand above. `zmpwalk/__init__.py` puts their
+# functions here under the names of the methods that call them, so that the rooms below import none of them.
 ABOVE: dict[str, Callable[..., Any]] = {}
 
 # The version grows when an older zmpwalk would read a file wrongly: because the file is laid out in another way, or a
 # name means something else. A new column alone is no new version: a file may lack columns.
 FORMAT_VERSION = 1
 
+# What is read of a trace's meta data as such.
+KINDS: dict[Any, tuple[str, ...]] = {
+    dict: ("settings", "description", "profile", "motion", "versions", "timing"),
+    list: ("joint_names", "torque_limits", "tasks", "push"),
+    str: ("robot", "source", "fall_cause", "alarm_cause", "model_sha256", "simulated_sha256"),
+    (int, float): ("fall_time", "control_dt", "timestep", "requested_duration", "alarm_time"),
+}
+ROOM, MOST_INFLATION = 1e8, 20  # bytes that any file may inflate to, and how many times its own size beyond
+
 COLUMNS = {column.name: column for column in recorded_columns()}
 AXES = {2: ["x", "y"], 3: ["x", "y", "z"]}  # of columns that are not in the table
+
+
+class Fall(typing.NamedTuple):
+    """How a walk ended in a fall, or would have: what was foreseen, and what came of it."""
+
+    foreseen: float | None
+    """When it was foreseen [s]; None where it was not."""
+    foreseen_cause: str
+    """Such as "the DCM is 0.04 m beyond what any foothold within reach can catch"."""
+    time: float | None
+    """Time of the fall [s]; None where the robot did not fall."""
+    cause: str
 
 
 class Trace(RecordedColumns, Mapping):
@@ -51,9 +75,12 @@ class Trace(RecordedColumns, Mapping):
     Args:
         columns: name -> (T,) or (T, n); must include `t`.
         meta: plain dictionaries, lists, strings, numbers.
-        model: bytes of the compiled model (`mj_saveModel`), so that `rerun` works; None if unknown.
+        model: bytes of the compiled model (`mj_saveModel`), so that `rerun` works; None if unknown. Only the MuJoCo
+            that wrote them reads them.
         copy: False keeps float arrays as they are given, for a caller who gives them away.
         simulated: bytes of the model that was simulated, where it is not the controller's.
+        source: the files that `model` was compiled from, which every MuJoCo reads; None if unknown.
+        simulated_source: the same of the model that was simulated.
 
     Raises:
         InputError: no column `t`.  DimensionError: columns of different length, or a known one of another width.
@@ -68,21 +95,29 @@ class Trace(RecordedColumns, Mapping):
         model: bytes | None = None,
         copy: bool = True,
         simulated: bytes | None = None,
+        source: Source | None = None,
+        simulated_source: Source | None = None,
     ):
+        if not isinstance(columns, Mapping):
+            raise InputError(f"columns are {type(columns).__name__}; they must be a mapping of names to arrays")
         if "t" not in columns:
             raise InputError(f"a trace needs the column 't'; it has {', '.join(columns) or 'none'}")
         self._columns: dict[str, np.ndarray] = {}
+        rows = np.shape(columns["t"])[:1]
         for name, values in columns.items():
-            array = np.array(values, dtype=float) if copy else np.asarray(values, dtype=float)
-            if array.ndim not in (1, 2) or len(array) != len(columns["t"]):
-                raise DimensionError(f"column '{name}' has shape {array.shape}; 't' has {len(columns['t'])} rows")
+            array = _numbers_in(name, values, copy)
+            if array.ndim not in (1, 2) or array.shape[:1] != rows:
+                raise DimensionError(
+                    f"column '{name}' has shape {array.shape}; 't' has {'no' if not rows else rows[0]} rows"
+                )
             known = COLUMNS.get(name)
             if known and known.width and array.shape[1:] != (known.width,) * (known.width > 1):
                 raise DimensionError(f"column '{name}' has shape {array.shape}; a row of it holds {_numbers(known)}")
             array.flags.writeable = False
             self._columns[name] = array
-        self.meta: dict[str, Any] = {"format_version": FORMAT_VERSION, **plain(meta or {})}
+        self.meta: dict[str, Any] = {"format_version": FORMAT_VERSION, **_checked(meta or {})}
         self._model, self._simulated = model, simulated
+        self._source, self._simulated_source = source, simulated_source
 
     # --- a mapping with attributes
 
@@ -104,7 +139,7 @@ class Trace(RecordedColumns, Mapping):
             if hasattr(type(self), name):  # a property has failed: asked once more, it says why
                 return object.__getattribute__(self, name)
             if name in COLUMNS:
-                raise AttributeError(f"this trace does not hold the column '{name}': it was recorded without it")
+                raise ColumnError(f"this trace does not hold the column '{name}': it was recorded without it")
             if name.startswith("_"):
                 raise AttributeError(f"a trace has no '{name}'")
             near = nearest(name, [*columns, *(other for other in dir(type(self)) if not other.startswith("_"))])
@@ -205,13 +240,15 @@ class Trace(RecordedColumns, Mapping):
 
     @property
     def model(self) -> mujoco.MjModel:
-        """The model that the controller knew, from the bytes inside the trace: as a rule the one that was simulated.
+        """The model that the controller knew, from the trace alone: as a rule the one that was simulated.
+
+        Under the MuJoCo that walked, it is the compiled model; under another, it is compiled from its source.
 
         Raises:
-            ModelError: the trace has no model, or one of another MuJoCo version (compiled models are only good for
-            their own).
+            ModelError: the trace has no model, or only one in the compiled form of another MuJoCo version, or this
+            MuJoCo refuses its source.
         """
-        return self._read(self._model, "model_sha256")
+        return self._read(self._model, self._source, "model_sha256")
 
     @property
     def simulated_model(self) -> mujoco.MjModel:
@@ -220,15 +257,48 @@ class Trace(RecordedColumns, Mapping):
         Raises:
             ModelError: as `model`.
         """
-        return self.model if self._simulated is None else self._read(self._simulated, "simulated_sha256")
+        if not self.meta.get("simulated_sha256"):
+            return self.model
+        is_given, source = self.meta.get("simulated_given", True), self._simulated_source
+        if self._made_here or (is_given and source is None):
+            return self._read(self._simulated, source, "simulated_sha256")
+        unsure, known = uncertainty_of(self.meta.get("uncertainty")), source.compiled() if source else self.model
+        if not unsure.changes_model:
+            return known
+        return unsure.changed(known, unsure.root_of(known, self.description), self.meta.get("seed", 0))
 
-    def _read(self, compiled: bytes | None, sha: str) -> mujoco.MjModel:
-        if compiled is None:
+    @property
+    def model_kept(self) -> str:
+        """In which form this trace keeps its model, in words: its files, its compiled form, or none.
+
+        Usage: `trace.model_kept  # -> "the files of mahru.xml, for every MuJoCo"`
+        """
+        if self._source is not None:
+            return f"the files of {self._source.main}, for every MuJoCo that reads them"
+        if self._model is None:
+            return "none"
+        return (
+            f"its compiled form, for MuJoCo {self._made_by} only: it was not loaded from a file, or was changed since "
+            "(`source=` gives its MJCF)"
+        )
+
+    @property
+    def _made_by(self) -> str | None:
+        return self.meta.get("versions", {}).get("mujoco")
+
+    @property
+    def _made_here(self) -> bool:
+        return self._made_by == mujoco.__version__
+
+    def _read(self, compiled: bytes | None, source: Source | None, sha: str) -> mujoco.MjModel:
+        if compiled is None and source is None:
             raise ModelError("this trace carries no model: it can be plotted but not run again")
-        made_by = self.meta.get("versions", {}).get("mujoco")
-        if made_by != mujoco.__version__:
+        if compiled is None or not self._made_here:
+            if source is not None:
+                return source.compiled()
             raise ModelError(
-                f"this trace was made by MuJoCo {made_by}, whose compiled model MuJoCo {mujoco.__version__} cannot read"
+                f"this trace keeps its model in compiled form only, which MuJoCo {self._made_by} wrote and MuJoCo "
+                f"{mujoco.__version__} cannot read: open it there, or walk again from a file or with `source=`"
             )
         if hashlib.sha256(compiled).hexdigest() != self.meta.get(sha):
             raise ModelError("the model inside this trace is damaged: its hash is not the recorded one")
@@ -242,14 +312,17 @@ class Trace(RecordedColumns, Mapping):
     def rerun(self, on_progress: Callable[[float, float], None] | None = None) -> Trace:
         """Repeat the walk that this trace recorded, from nothing but the trace.
 
+        Under another MuJoCo than the one that walked, a warning says how far the COM went away from the recorded one.
+
         Args:
             on_progress: called with (t, duration) [s] now and then; may raise to stop.
 
         Returns:
-            A new trace: `identical` to this one, on the same machine, if nobody touched the robot meanwhile.
+            A new trace: `identical` to this one, on the same machine and under the same MuJoCo, if nobody touched the
+            robot meanwhile.
 
         Raises:
-            ModelError: the model is missing, damaged or of another MuJoCo version.
+            ModelError: the model is missing or damaged, or this MuJoCo cannot read it (`model_kept`).
 
         Usage: `Trace.load("trace.npz").rerun().summary()`
         """
@@ -260,7 +333,8 @@ class Trace(RecordedColumns, Mapping):
     def save(self, path: str | os.PathLike) -> Path:
         """Write everything into one `.npz` file, whole or not at all.
 
-        The file holds each column as `<name>.npy`, `meta.json` and, compressed, the compiled model.
+        The file holds each column as `<name>.npy`, `meta.json` and, compressed, the compiled model and, where they are
+        known, the files that it was compiled from (`model/...`).
 
         Args:
             path: the file; `.npz` is added if there is no suffix.
@@ -283,6 +357,9 @@ class Trace(RecordedColumns, Mapping):
             for name, compiled in (("model.mjb", self._model), ("simulated.mjb", self._simulated)):
                 if compiled is not None:
                     file.writestr(zipfile.ZipInfo(name), compiled, zipfile.ZIP_DEFLATED)
+            for folder, source in (("model/", self._source), ("simulated/", self._simulated_source)):
+                for name, content in source.files.items() if source else ():
+                    file.writestr(zipfile.ZipInfo(folder + name), content, zipfile.ZIP_DEFLATED)
         return path
 
     @classmethod
@@ -297,10 +374,13 @@ class Trace(RecordedColumns, Mapping):
         path = Path(path)
         try:
             with zipfile.ZipFile(path) as file:
+                _require_size(path, file)
                 names = file.namelist()
                 if "meta.json" not in names or "t.npy" not in names:
                     raise InputError(f"{path}: not a trace that zmpwalk saved")
                 meta = json.loads(file.read("meta.json").decode())
+                if not isinstance(meta, dict):
+                    raise InputError(f"{path}: not a trace that zmpwalk saved: its meta.json holds no object")
                 version = meta.get("format_version")
                 if type(version) is not int or version < 1:
                     raise InputError(f"{path}: not a trace that zmpwalk saved: its format is {version!r}")
@@ -313,19 +393,27 @@ class Trace(RecordedColumns, Mapping):
                 columns = {
                     name[:-4]: np.lib.format.read_array(io.BytesIO(file.read(name)), allow_pickle=False)
                     for name in names
-                    if name.endswith(".npy")
+                    if name.endswith(".npy") and "/" not in name
                 }
                 model = file.read("model.mjb") if "model.mjb" in names else None
                 simulated = file.read("simulated.mjb") if "simulated.mjb" in names else None
+                source, simulated_source = (
+                    Source({name[len(folder) :]: file.read(name) for name in names if name.startswith(folder)})
+                    if any(name.startswith(folder) for name in names)
+                    else None
+                    for folder in ("model/", "simulated/")
+                )
         except OSError as error:
             raise InputError(f"{path}: {cause(error)}") from None
         except Error:
             raise
         except Exception as error:  # zipfile, zlib, json and numpy each have their own way to say it
             raise InputError(f"{path}: not a trace, or damaged: {error}") from None
-        return cls(
-            columns, {**meta, "format_version": FORMAT_VERSION}, model, simulated=simulated
-        )  # saved again: today's format
+        meta = {**meta, "format_version": FORMAT_VERSION}  # saved again: today's format
+        try:
+            return cls(columns, meta, model, True, simulated, source, simulated_source)
+        except (DimensionError, InputError) as error:
+            raise InputError(f"{path}: not a trace, or damaged: {error}") from None
 
     def to_csv(self, path: str | os.PathLike) -> Path:
         """Write the columns as one table, seventeen digits so that nothing is lost, whole or not at all.
@@ -382,11 +470,26 @@ class Trace(RecordedColumns, Mapping):
 
     # --- what came of it
 
+    @property
+    def fall(self) -> Fall | None:
+        """The fall, foreseen or come true; None where there was neither.
+
+        Usage: `if trace.fall: print(trace.fall.foreseen_cause, trace.fall.time)`
+        """
+        meta = self.meta
+        alarm, time = meta.get("alarm_time"), meta.get("fall_time")
+        if alarm is None and time is None:
+            return None
+        foreseen = alarm is not None and alarm != time
+        cause = meta.get("alarm_cause", "") if foreseen else ""
+        return Fall(alarm if foreseen else None, cause, time, meta.get("fall_cause", ""))
+
     def summary(self) -> dict[str, Any]:
         """Say how the walk went in a few numbers.
 
         Returns:
-            robot, mujoco_version, duration [s], fell, fall_time [s], fall_cause, step_count (touch-downs);
+            robot, mujoco_version, model_kept, duration [s], fell, fall_time [s], fall_cause, foreseen_time [s],
+            foreseen_cause (of a fall that was foreseen), step_count (touch-downs);
             mean_speed_per_step, planned_speed_per_step [m/s]: forward, over each whole step period T = T_ss + T_ds
             from the start, the COM's displacement in the planned heading over T, and the profile's; speed_rms_error
             [m/s]: of the COM's forward velocity about the plan, over all cycles; step_period [s];
@@ -408,12 +511,15 @@ class Trace(RecordedColumns, Mapping):
         summary = {
             "robot": meta.get("robot"),
             "mujoco_version": meta.get("versions", {}).get("mujoco"),
+            "model_kept": self.model_kept,
             "zmpwalk_version": meta.get("versions", {}).get("zmpwalk"),
             "law": meta.get("settings", {}).get("law"),
             "duration": self.duration,
             "fell": bool(meta.get("fell", self.fell.any())),
             "fall_time": meta.get("fall_time"),
             "fall_cause": meta.get("fall_cause") or None,
+            "foreseen_time": self.fall and self.fall.foreseen,
+            "foreseen_cause": (self.fall and self.fall.foreseen_cause) or None,
             "step_count": int(((self.phase[:-1] == 1) & (self.phase[1:] == 0)).sum()),
             "mean_speed_per_step": mean_speed,
             "planned_speed_per_step": planned_speed,
@@ -517,11 +623,38 @@ def _numbers(column: RecordedColumn) -> str:
     return numbers + (f" [{column.unit}]" if column.unit else "") + (f" in {column.frame}" if column.frame else "")
 
 
-def model_bytes(model: mujoco.MjModel) -> bytes:
-    """The compiled model as MuJoCo writes it: its hash names it, and `Trace.model` reads it."""
-    buffer = np.zeros(mujoco.mj_sizeModel(model), np.uint8)
-    mujoco.mj_saveModel(model, None, buffer)
-    return buffer.tobytes()
+def _numbers_in(name: str, values: Any, copy: bool) -> np.ndarray:
+    array = np.asarray(values)
+    if array.dtype.kind not in "biuf" and array.size:
+        raise InputError(f"column '{name}' holds {array.dtype}; it must hold real numbers")
+    return np.array(array, dtype=float) if copy else np.asarray(array, dtype=float)
+
+
+def _checked(meta: Any) -> dict[str, Any]:
+    """The meta data as plain values, each of the kind that whoever reads it expects."""
+    if not isinstance(meta, Mapping):
+        raise InputError(f"meta is {type(meta).__name__}; it must be a mapping of names to plain values")
+    out = plain(meta)
+    for kind, names in KINDS.items():
+        for name in names:
+            if out.get(name) is not None and (not isinstance(out[name], kind) or isinstance(out[name], bool)):
+                word = " or ".join(each.__name__ for each in (kind if isinstance(kind, tuple) else (kind,)))
+                raise InputError(f"meta['{name}'] is {reprlib.repr(out[name])}; it must be {word}")
+    for name in ("T_ss", "T_ds"):
+        if not isinstance((out.get("settings") or {}).get(name, 0.0), (int, float)):
+            raise InputError(
+                f"meta['settings']['{name}'] is {reprlib.repr(out['settings'][name])}; it must be a number"
+            )
+    return out
+
+
+def _require_size(path: Path, file: zipfile.ZipFile) -> None:
+    """Only the compiled models are compressed: a small file does not become a large trace."""
+    inflated, size = sum(entry.file_size for entry in file.infolist()), path.stat().st_size
+    if inflated > ROOM + MOST_INFLATION * size:
+        raise InputError(
+            f"{path}: {size / 1e6:.3g} MB that would become {inflated / 1e6:.3g} MB; a trace grows less when it is read"
+        )
 
 
 def plain(value: Any, finite: bool = False) -> Any:

@@ -19,7 +19,7 @@ from .profiles import VelocityProfile
 from .pushes import push_map
 from .robots import Robot, load_robot
 from .simulation import WalkingController, name_of, processors, simulate_batch
-from .trace import Trace
+from .trace import ABOVE, Trace
 from .verdict import RECOVERY, TILT, judge
 
 __all__ = ["Robustness", "Trouble", "robustness"]
@@ -107,7 +107,7 @@ class Robustness:
 
         Usage: `robustness().plot().savefig("robustness.png")`
         """
-        return ABOVE["plot"](self, axes)
+        return ABOVE["plot_robustness"](self, axes)
 
     def __str__(self) -> str:
         lines = [f"{'trouble':28s} {'borne':>8s} {'bar':>8s}  levels, and where fewer than all walks stood"]
@@ -121,10 +121,6 @@ class Robustness:
             verdict = {True: "✓", False: "✗", None: " "}[trouble.passes]
             lines.append(f"{trouble.name + ' [' + trouble.unit + ']':28s} {borne:>8s} {bar:>7s}{verdict}  {levels}")
         return "\n".join(lines)
-
-
-# The room that draws stands on this one; `zmpwalk/__init__.py` puts its function here.
-ABOVE: dict[str, Callable[..., Any]] = {}
 
 
 @dataclass(frozen=True)

@@ -15,8 +15,9 @@ from .analysis import feet_pose, mean_velocity, sole_yaw
 from .errors import Error, InputError
 from .given import Settings
 from .render import Scene, crosses, default_camera, stride, velocity_words
-from .robots import Robot, load_robot
+from .robots import Robot
 from .simulation import WalkingController
+from .terrain import TerrainLike, load_scene
 
 __all__ = ["LiveWalk", "Steering", "view"]
 
@@ -100,6 +101,7 @@ class LiveWalk:
         robot: what `load_robot` takes.
         settings: as for `simulate`; None takes `WalkSettings()`.
         steering: None takes `Steering.of`.
+        terrain: ground in place of the floor, as for `simulate`.
 
     Fields: `model`, `data`, `controller`, `steering`, `out` (the last cycle's), `closed`.
 
@@ -109,8 +111,14 @@ class LiveWalk:
     Usage: `walk = LiveWalk("mahru"); walk.press("W"); walk.advance(0.5)`
     """
 
-    def __init__(self, robot: Robot = "mahru", settings: Settings = None, steering: Steering | None = None):
-        self.model, self._description = load_robot(robot)
+    def __init__(
+        self,
+        robot: Robot = "mahru",
+        settings: Settings = None,
+        steering: Steering | None = None,
+        terrain: TerrainLike | None = None,
+    ):
+        self.model, self._description = load_scene(robot, terrain)
         self.data = mujoco.MjData(self.model)
         self.controller = WalkingController(self.model, self._description, settings, profile=0.0)
         self.steering = steering or Steering.of(self.controller)
@@ -179,6 +187,8 @@ class LiveWalk:
             "ZMP": f"{x:+.0f} mm ahead, {y:+.0f} mm left of the {side} sole's centre",
             "keys": HELP,
         }
+        if out.fall_foreseen:
+            words["foreseen"] = out.foreseen_cause
         if out.fell:
             words["fell"] = f"{out.fall_cause}; R restarts"
         return words
@@ -295,6 +305,7 @@ def view(
     height: int = 800,
     shadows: bool = True,
     on_frame: Callable[[Window, LiveWalk], None] | None = None,
+    terrain: TerrainLike | None = None,
 ) -> None:
     """Open a window on a robot and let the keyboard walk it, in real time, until Esc or the window's own cross.
 
@@ -305,6 +316,7 @@ def view(
         width, height: of the window [screen units].
         shadows: draw shadows and reflections.
         on_frame: called after each frame; may press keys.
+        terrain: ground in place of the floor, as for `simulate`.
 
     Raises:
         Error: no window can be opened.  InputError: `speed` is not positive.  ModelError: a robot that cannot walk.
@@ -313,7 +325,7 @@ def view(
     """
     if not (math.isfinite(speed) and speed > 0):
         raise InputError(f"speed is {speed:g}; it must be positive and finite")
-    walk = LiveWalk(robot, settings)
+    walk = LiveWalk(robot, settings, terrain=terrain)
     window = Window(walk, width, height, shadows)
     try:
         import glfw

@@ -114,7 +114,7 @@ BOOST_AUTO_TEST_CASE(a_description_with_a_wrong_name_or_number_is_refused) {
           "the right leg lists joints that do not move its foot 'r_foot': 'l_knee'");
   refused([](auto& d) { d.feet[kLeft].leg_joints[1] = d.feet[kLeft].leg_joints[0]; }, "is listed twice");
   refused([](auto& d) { d.stand_joints.erase("waist_yaw"); }, "no value for joint 'waist_yaw'");
-  refused([](auto& d) { d.stand_joints["waist_yaw"] = kNaN; }, "'waist_yaw' is not finite");
+  refused([](auto& d) { d.stand_joints["waist_yaw"] = kNaN; }, "'waist_yaw' is nan; it must be finite");
   refused([](auto& d) { d.stand_joints["tail"] = 0.0; }, "no joint named 'tail'");
   refused([](auto& d) { d.stand_base_quat << 0, 0, 0, 0; }, "unit quaternion");
   refused([](auto& d) { d.stand_base_pos.x() = kNaN; }, "not a position");

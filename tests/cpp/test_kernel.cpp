@@ -41,6 +41,17 @@ BOOST_AUTO_TEST_CASE(first_build_runs_everywhere_and_auto_takes_the_last) {
   for (const Kernel* k : kernels()) BOOST_CHECK_EQUAL(&kernel(k->name), k);
 }
 
+#ifdef __x86_64__
+BOOST_AUTO_TEST_CASE(builds_are_those_that_the_compiler_too_says_this_processor_runs) {
+  __builtin_cpu_init();
+  const bool v3 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  const bool v4 = v3 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+                  __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
+                  __builtin_cpu_supports("avx512cd");
+  BOOST_CHECK_EQUAL(kernels().size(), 1u + v3 + v4);
+}
+#endif
+
 BOOST_AUTO_TEST_CASE(unknown_build_is_refused_by_naming_those_there_are) {
   try {
     kernel("itanium");

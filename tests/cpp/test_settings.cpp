@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(a_wrong_name_is_answered_with_the_nearest) {
   answer("trakcing", "did you mean the group tracking?");
   answer("colour_of_the_robot",
          "the groups are gait, steps, swing, com, zmp, tracking, rate, trunk, posture, arms, contact, control, limits, "
-         "observer and fall");
+         "observer, command and fall");
 }
 
 BOOST_AUTO_TEST_CASE(settings_that_break_a_rule_are_refused_with_name_value_and_rule) {
@@ -137,6 +137,17 @@ BOOST_AUTO_TEST_CASE(the_settings_reach_the_solver_of_the_tasks) {
   BOOST_CHECK_EQUAL(WalkingController(mahru(), describe(mahru()), s).whole_body().options().singular_task, 0.02);
 }
 
+BOOST_AUTO_TEST_CASE(a_profile_that_torque_or_friction_do_not_allow_is_refused_unless_the_settings_let_it_try) {
+  const VelocityProfile fast({0.0, 9.0}, {Vec3::Zero(), Vec3(1.5, 0, 0)});
+  refused_profile(fast, "the torque of a hip allows (1.");
+  WalkSettings s;
+  s.command.limit = false;
+  BOOST_CHECK_NO_THROW(WalkingController(mahru(), describe(mahru()), s, fast));
+  s.command.limit = true;
+  s.command.share = 1.5;
+  BOOST_CHECK_NO_THROW(WalkingController(mahru(), describe(mahru()), s, fast));
+}
+
 BOOST_AUTO_TEST_CASE(a_profile_that_the_legs_cannot_walk_is_refused_with_their_limit) {
   const WalkingController controller(mahru(), describe(mahru()));
   const double limit = controller.reach().speed_limit();
@@ -152,6 +163,7 @@ BOOST_AUTO_TEST_CASE(a_fast_start_is_refused_only_where_nothing_limits_its_rate)
   const auto start = [](bool rate_limit) {
     WalkSettings s;
     s.rate.limit = rate_limit;
+    s.command.limit = false;
     const VelocityProfile stand({0.0}, {Vec3::Zero()});
     const double limit = WalkingController(mahru(), describe(mahru()), s, stand).reach().speed_limit();
     return WalkingController(mahru(), describe(mahru()), s, VelocityProfile({0.0}, {Vec3(0.99 * limit, 0, 0)}))

@@ -60,7 +60,7 @@ def test_parts_name_each_number_of_a_row():
 
 def test_cycle_output_has_the_decided_columns_and_no_other_numbers():
     properties = {name for name in dir(CycleOutput) if not name.startswith("_")}
-    assert properties == {*DECIDED, "fresh", "fall_cause"}
+    assert properties == {*DECIDED, "fresh", "fall_cause", "foreseen_time", "foreseen_cause"}
 
 
 def test_each_property_of_cycle_output_tells_its_meaning_and_unit():

@@ -13,7 +13,8 @@ PACKAGE = Path(zmpwalk.__file__).parent
 # From the ground up: a module imports modules of floors below its own, or of its own where that makes no circle.
 FLOORS = [
     ["errors", "_build", "_columns", "_core"],
-    ["files", "analysis", "settings"],
+    ["files", "checks"],
+    ["analysis", "settings"],
     ["_adapters", "profiles", "motion", "given", "robots", "disturbances"],
     ["_check_mujoco", "tasks", "terrain", "verdict"],
     ["trace"],
@@ -27,13 +28,18 @@ FLOORS = [
 ]
 # What may be imported in a function: packages that are slow, optional or not there yet; and the rooms that draw, by
 # those who draw only when asked to.
-DEFERRED = {"glfw", "imageio", "mujoco", "mujoco_menagerie", "pandas", "rich"}
+DEFERRED = {
+    "concurrent", "difflib", "glfw", "html", "imageio", "importlib", "mujoco", "mujoco_menagerie", "pandas", "rich",
+    "tomli", "tomllib",
+}  # fmt: skip
 DEFERRED_ROOMS = {
-    "": {"_adapters", "plot", "render", "view"},
+    "": {"_adapters"},
     "_check_mujoco": {"_build", "_core"},
     "cli.inspect": {"figures.robot"},
     "cli.plot": {"plot"},
     "cli.walk": {"plot"},
+    "robots.load": {"robots.mjcf", "robots.urdf"},
+    "robots.source": {"robots.source_files"},
     "shown": {"figures", "figures.small"},
 }
 
@@ -136,6 +142,34 @@ def test_files_are_replaced_in_one_room(name):
             owner = node.value.id if isinstance(node.value, ast.Name) else ""
             assert (owner, node.attr) not in (("os", "replace"), ("shutil", "move")), f"line {node.lineno}"
             assert node.attr not in ("rename", "renames"), f"line {node.lineno}"
+
+
+def loaded_by(room):
+    """Names of all modules that importing `room` loads beside mujoco and numpy."""
+    code = f"import sys, mujoco, numpy; before = set(sys.modules); import {room}; print(*(set(sys.modules) - before))"
+    return set(subprocess.run([sys.executable, "-c", code], check=True, stdout=subprocess.PIPE).stdout.decode().split())
+
+
+def test_the_import_loads_nothing_slow_that_most_scripts_do_not_use():
+    loaded = loaded_by("zmpwalk")
+    slow = {
+        "matplotlib", "rich", "click", "pandas", "imageio", "gymnasium", "distributed", "pyarrow", "cloudpickle",
+        "glfw", "IPython", "jsonschema", "xml", "html", "email", "difflib", "tomli", "tomllib", "concurrent", "asyncio",
+        "multiprocessing",
+    }  # fmt: skip
+    assert not slow & {name.split(".")[0] for name in loaded}
+    assert "importlib.metadata" not in loaded
+    ours = {name for name in loaded if name.startswith("zmpwalk.")}
+    rooms = {name.split(".")[1] for name in ours}
+    assert not rooms & set(zmpwalk._LATER), "these are imported when somebody asks for one of their names"
+
+
+def test_every_public_name_is_there_when_asked_for():
+    assert set(zmpwalk.__all__) >= {name for names in zmpwalk._LATER.values() for name in names}
+    for name in zmpwalk.__all__:
+        assert getattr(zmpwalk, name) is not None
+    with pytest.raises(AttributeError, match="no attribute 'no_such_name'"):
+        _ = zmpwalk.no_such_name
 
 
 @pytest.mark.parametrize("room", ["zmpwalk", "zmpwalk.cli", "zmpwalk.view"])

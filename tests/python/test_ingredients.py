@@ -12,7 +12,8 @@ MM = 1e-3
 
 
 def walk(duration=9.0, robot="mahru", **settings):
-    return zmpwalk.simulate(robot, duration=duration, settings=WalkSettings(**settings))
+    """A walk without the crouch, which would put off the fall that shows what an ingredient is for."""
+    return zmpwalk.simulate(robot, duration=duration, settings=WalkSettings(fall_crouch=False, **settings))
 
 
 def assert_stands(trace):
@@ -20,9 +21,10 @@ def assert_stands(trace):
 
 
 def assert_falls(trace, before):
+    """It falls, and is lost before that time, whether the fall is foreseen or has come."""
     assert trace.meta["fell"]
     assert trace.meta["fall_cause"]
-    assert trace.meta["fall_time"] < before
+    assert min(trace.fall.foreseen or trace.fall.time, trace.fall.time) < before
 
 
 # --- sharing the load of two feet
@@ -31,7 +33,7 @@ def assert_falls(trace, before):
 def test_wrench_distribution_holds_the_default_up():
     """Minimum-norm torque knows nothing of feet that can only push."""
     assert_stands(walk(contact_damping=0.0))
-    assert_falls(walk(contact_damping=0.0, wrench_distribution=False), before=0.5)
+    assert_falls(walk(contact_damping=0.0, wrench_distribution=False, fall_foot_tilt=0.3), before=0.5)
 
 
 def test_wrench_distribution_holds_the_paper_law_up():

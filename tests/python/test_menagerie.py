@@ -54,7 +54,6 @@ def package(monkeypatch):
         DownloadError=DownloadError,
     )
     monkeypatch.setitem(sys.modules, "mujoco_menagerie", known)
-    monkeypatch.setattr("zmpwalk.robots.menagerie.sys", SimpleNamespace(version_info=(3, 11)))
 
 
 @pytest.mark.parametrize("robot", ["menagerie:walker", "menagerie:walker/scene"])
@@ -76,9 +75,50 @@ def test_robot_that_menagerie_does_not_give_is_bad_input(package, robot, words):
         zmpwalk.load_robot(robot)
 
 
-@pytest.mark.parametrize(("version", "words"), [((3, 10), "Python 3.11 or later"), ((3, 11), r"zmpwalk\[robots\]")])
-def test_missing_package_is_told_with_what_to_install(monkeypatch, version, words):
+def test_missing_package_is_told_with_what_to_install(monkeypatch):
     monkeypatch.setitem(sys.modules, "mujoco_menagerie", None)
-    monkeypatch.setattr("zmpwalk.robots.menagerie.sys", SimpleNamespace(version_info=version))
-    with pytest.raises(InputError, match=words):
+    with pytest.raises(InputError, match=r"pip install mujoco-menagerie .*MuJoCo 3\.2 or later"):
         zmpwalk.load_robot("menagerie:unitree_g1")
+    monkeypatch.setitem(sys.modules, "robot_descriptions", None)
+    with pytest.raises(InputError, match="pip install robot_descriptions"):
+        zmpwalk.load_robot("robot_descriptions:g1_mj")
+
+
+@pytest.fixture
+def descriptions(monkeypatch, tmp_path):
+    """A stand-in for the package robot_descriptions, which clones a repository when a robot is imported."""
+    folder = tmp_path / "robot_descriptions"
+    folder.mkdir()
+    names = ["walker_mj_description", "arm_description", "far_mj_description", "odd_description"]
+    (folder / "__init__.py").write_text(f"DESCRIPTIONS = dict.fromkeys({names})")
+    (folder / "walker_mj_description.py").write_text(f"MJCF_PATH = {str(ROBOTS / 'mahru.xml')!r}")
+    (folder / "arm_description.py").write_text("URDF_PATH = '/nowhere/arm.urdf'")
+    (folder / "far_mj_description.py").write_text("raise OSError('git clone failed:\\nno route to host')")
+    (folder / "odd_description.py").write_text("")
+    for name in [name for name in sys.modules if name.split(".")[0] == "robot_descriptions"]:
+        monkeypatch.delitem(sys.modules, name)
+    monkeypatch.syspath_prepend(tmp_path)
+    yield
+    for name in [name for name in sys.modules if name.split(".")[0] == "robot_descriptions"]:
+        del sys.modules[name]
+
+
+@pytest.mark.parametrize("robot", ["robot_descriptions:walker_mj", "robot_descriptions:walker_mj_description"])
+def test_robot_of_robot_descriptions_is_loaded_and_carries_its_name(descriptions, robot):
+    _, description = zmpwalk.load_robot(robot)
+    assert description.name == robot.partition(":")[2]
+    assert zmpwalk.simulate(robot, duration=0.01).model_kept.startswith("the files of mahru.xml")
+
+
+@pytest.mark.parametrize(
+    ("robot", "words"),
+    [
+        ("robot_descriptions:walkr_mj", "no 'walkr_mj_description'; the nearest names are walker_mj_description"),
+        ("robot_descriptions:far_mj", r"cannot be downloaded \(git clone failed: no route to host\)"),
+        ("robot_descriptions:arm", r"/nowhere/arm\.urdf: no such file"),
+        ("robot_descriptions:odd", "neither an MJCF nor a URDF"),
+    ],
+)
+def test_robot_that_robot_descriptions_does_not_give_is_bad_input(descriptions, robot, words):
+    with pytest.raises(InputError, match=words):
+        zmpwalk.load_robot(robot)

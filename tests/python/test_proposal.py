@@ -141,7 +141,7 @@ def test_inspect_writes_a_file_that_walk_reads(tmp_path, capsys):
     words = ["inspect", str(tmp_path / "models" / "bare.xml"), "--write", str(tmp_path / "robot.json")]
     assert cli.main(words) == 0
     shown = capsys.readouterr().out
-    for word in ("0.250 × 0.140 m", "speed in reach", "inverse kinematics", "robot.json"):
+    for word in ("0.250 × 0.140 m", "forward up to", "inverse kinematics", "robot.json"):
         assert word in shown
     content = json.loads((tmp_path / "robot.json").read_text())
     assert (content["name"], content["model"]) == ("bare", "models/bare.xml")

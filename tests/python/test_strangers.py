@@ -185,6 +185,8 @@ if NEW:
         "gravity compensation": [put(body("torso"), gravcomp="0.5")],
         "limits on the joints": [actuators(lambda j, t: f'<motor joint="{j}"/>'), put("worldbody//joint", actuatorfrcrange="-140 140")],
     })  # fmt: skip
+if not hasattr(mujoco.mjtIntegrator, "mjINT_DISCRETE"):
+    WALKS.pop("discrete steps", None)
 
 
 @pytest.mark.parametrize("kind", WALKS)
@@ -376,6 +378,9 @@ if NEW:
         "a tendon with a rotor": ([add("tendon", ELBOW_TENDON.format('armature="1"'))], "has armature"),
         "geoms that stick": ([put(".//default[@class='sole_box']/geom", adhesion="5")], "its geoms stick"),
     })  # fmt: skip
+for member, kind in (("actuator_delay", "motors that answer late"), ("geom_adhesion", "geoms that stick")):
+    if not hasattr(mujoco.MjModel, member):
+        REFUSED.pop(kind, None)
 
 
 @pytest.mark.parametrize("route", ["robot.json", "its own marks"])

@@ -65,6 +65,13 @@ def test_a_walk_that_cannot_begin_is_a_row_with_its_reason():
     assert "1 could not begin" in repr(table)
 
 
+def test_a_table_with_a_walk_that_cannot_begin_is_saved(tmp_path):
+    pytest.importorskip("pyarrow")
+    table = zmpwalk.sweep({"profile": [0.1, 90.0]}, duration=0.5)
+    assert list(table["fall_cause"]) == ["", ""]
+    assert table.save(tmp_path / "two.parquet").is_file()
+
+
 def test_points_may_be_listed_and_name_uncertainties():
     table = sweep(
         [{"profile": 0.1, "seed": 1}, {"profile": 0.2, "seed": 2}], processes=1, duration=0.2,

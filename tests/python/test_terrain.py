@@ -104,6 +104,22 @@ def test_a_trace_remembers_its_terrain_and_walks_on_it_again(tmp_path):
     assert np.array_equal(again.com, trace.com)
 
 
+def test_a_trace_keeps_a_ground_that_has_no_words(tmp_path):
+    mine = Terrain("mine", [Patch((-3.0, 0.6), (-5.0, 5.0)), Patch((0.6, 9.0), (-5.0, 5.0), -0.01)])
+    trace = zmpwalk.simulate(profile=0.25, duration=1.5, terrain=mine)
+    loaded = zmpwalk.Trace.load(trace.save(tmp_path / "walk.npz"))
+    assert loaded.meta["terrain"] == "mine" and np.array_equal(loaded.rerun().com, trace.com)
+    # Another MuJoCo compiles it from the files that the trace keeps.
+    for name in ("geom_pos", "geom_size", "geom_friction", "body_mass"):
+        assert np.array_equal(getattr(loaded._source.compiled(), name), getattr(trace.model, name))
+
+
+def test_a_trace_keeps_the_ground_under_another_robot_than_the_known_one():
+    trace = zmpwalk.simulate(profile=0.25, duration=1.0, terrain="step:-1,0.6", simulated="mahru")
+    assert np.array_equal(trace.rerun().com, trace.com)
+    assert trace._simulated_source.compiled().ngeom == trace.simulated_model.ngeom == trace.model.ngeom
+
+
 def test_a_batch_walks_each_on_its_own_ground():
     walks = zmpwalk.simulate_batch(
         [{"duration": 0.1, "profile": 0.0, "terrain": t} for t in (None, "flat", "blocks:1")]
@@ -133,6 +149,8 @@ def test_a_terrain_that_is_none_is_refused(text, says):
 def test_a_robot_without_a_file_or_floor_has_no_terrain(tmp_path):
     with pytest.raises(InputError, match="not a model"):
         zmpwalk.simulate(zmpwalk.load_robot("mahru"), terrain="flat")
+    with pytest.raises(InputError, match="brings its own"):
+        zmpwalk.simulate(terrain="flat", source="<mujoco/>")
     bare = tmp_path / "bare.xml"
     bare.write_text("<mujoco><worldbody><body/></worldbody></mujoco>")
     with pytest.raises(ModelError, match="no floor"):

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 import zmpwalk
 from zmpwalk import DimensionError, InputError, ModelError, Trace
+from zmpwalk.robots import ROBOTS
 from zmpwalk.trace import FORMAT_VERSION
 
 # --- a mapping with attributes
@@ -355,15 +356,100 @@ def test_a_loop_whose_torque_is_held_for_several_time_steps_runs_again():
     assert recorder.trace().rerun() == recorder.trace()
 
 
-def test_model_of_another_mujoco_or_a_damaged_one_is_refused(walked):
-    other = Trace(walked, {**walked.meta, "versions": {"mujoco": "9.9.9"}}, walked._model)
-    with pytest.raises(ModelError, match=r"MuJoCo 9\.9\.9"):
-        other.rerun()
+def without_source(trace, **meta):
+    return Trace(trace, {**trace.meta, **meta}, trace._model)
+
+
+def as_by_another_mujoco(trace):
+    """The same trace, as it looks where another MuJoCo than the one here has walked."""
+    meta = {**trace.meta, "versions": {**trace.meta["versions"], "mujoco": "9.9.9"}}
+    parts = trace._simulated, trace._source, trace._simulated_source
+    return Trace(trace, meta, trace._model and b"of another layout", True, *parts)
+
+
+def test_model_of_another_mujoco_without_source_or_a_damaged_one_is_refused(walked):
+    with pytest.raises(ModelError, match=r"in compiled form only, which MuJoCo 9\.9\.9 wrote"):
+        without_source(walked, versions={"mujoco": "9.9.9"}).rerun()
     damaged = Trace(walked, walked.meta, walked._model[:-1] + b"?")
     with pytest.raises(ModelError, match="damaged"):
         damaged.rerun()
     with pytest.raises(ModelError, match="no model"):
         Trace(walked, walked.meta).rerun()
+
+
+def test_a_walk_by_another_mujoco_is_run_again_from_its_files_and_says_how_far_it_went(walked, tmp_path):
+    other = Trace.load(as_by_another_mujoco(walked).save(tmp_path / "walk.npz"))
+    assert other.model_kept == "the files of mahru.xml, for every MuJoCo that reads them"
+    with pytest.warns(UserWarning, match=r"MuJoCo 9\.9\.9 walked this .* the COM went up to 0\.0e\+00 m away"):
+        again = other.rerun()
+    assert again == walked
+    assert again.meta["rerun_of"] == {"mujoco": "9.9.9", "com_away": 0.0, "rows": 1500}
+
+
+def test_what_was_simulated_is_made_again_under_another_mujoco():
+    unsure = zmpwalk.simulate("mahru", duration=0.2, uncertainty={"mass": 1.05, "links": 0.1, "com": 0.01}, seed=5)
+    other = as_by_another_mujoco(unsure)
+    assert np.array_equal(other.simulated_model.body_mass, unsure.simulated_model.body_mass)
+    with pytest.warns(UserWarning, match="went up to 0"):
+        assert other.rerun() == unsure
+
+
+def torso_of(mass):
+    """A change of the bundled robot's MJCF (`mahru_edited`)."""
+    return lambda root: root.find(".//body[@name='torso']/inertial").set("mass", str(mass))
+
+
+def test_a_given_robot_that_was_simulated_is_kept_with_its_own_files(mahru_edited, tmp_path):
+    heavy = tmp_path / "heavy.xml"
+    heavy.write_text(mahru_edited.xml(torso_of(25)))
+    trace = zmpwalk.simulate("mahru", duration=0.1, simulated=heavy)
+    other = Trace.load(as_by_another_mujoco(trace).save(tmp_path / "walk.npz"))
+    heavy.unlink()
+    assert other.simulated_model.body("torso").mass == 25
+    assert other.model.body("torso").mass != 25
+    no_file = mujoco.MjModel.from_xml_path(str(ROBOTS / "mahru.xml"))
+    compiled_only = as_by_another_mujoco(zmpwalk.simulate("mahru", duration=0.1, simulated=no_file))
+    assert compiled_only.model.nq == no_file.nq
+    with pytest.raises(ModelError, match="compiled form only"):
+        _ = compiled_only.simulated_model
+
+
+def test_a_model_that_was_changed_since_it_was_loaded_keeps_its_compiled_form_and_says_so():
+    model, description = zmpwalk.load_robot("mahru")
+    assert "the files of mahru.xml" in zmpwalk.simulate((model, description), duration=0.01).model_kept
+    model.opt.gravity[2] = -9.7
+    trace = zmpwalk.simulate((model, description), duration=0.01)
+    assert trace.model_kept.startswith(f"its compiled form, for MuJoCo {mujoco.__version__} only")
+    assert trace.summary()["model_kept"] == trace.model_kept
+    assert trace.model.opt.gravity[2] == -9.7
+    assert Trace({"t": trace.t}).model_kept == "none"
+
+
+def test_a_humanoid_of_given_measures_is_kept_with_its_mjcf():
+    trace = as_by_another_mujoco(zmpwalk.simulate(zmpwalk.humanoid(height=1.2).robot, duration=0.01))
+    assert trace.model_kept.startswith("the files of humanoid.xml")
+    assert trace.model.nq == trace.qpos.shape[1]
+
+
+def test_source_is_a_path_a_text_or_a_text_with_files(tmp_path):
+    text = (ROBOTS / "mahru.xml").read_text()
+    (tmp_path / "of mine.xml").write_text(text)
+    outer = '<mujoco><include file="inner.xml"/></mujoco>'
+    for source in (tmp_path / "of mine.xml", text, (outer, {"inner.xml": text.encode()})):
+        model = mujoco.MjModel.from_xml_path(str(ROBOTS / "mahru.xml"))
+        trace = as_by_another_mujoco(zmpwalk.simulate(model, duration=0.01, source=source))
+        assert np.array_equal(trace.model.body_mass, model.body_mass)
+
+
+def test_source_of_another_model_is_refused(mahru_edited):
+    model = mujoco.MjModel.from_xml_path(str(ROBOTS / "mahru.xml"))
+    with pytest.raises(InputError, match="the source makes another model: it has 1 bodies"):
+        zmpwalk.simulate(model, duration=0.01, source="<mujoco/>")
+    lighter = mahru_edited.xml(torso_of(5))
+    with pytest.raises(InputError, match="the source makes another model: body_mass differs"):
+        zmpwalk.simulate(model, duration=0.01, source=lighter)
+    with pytest.raises(InputError, match=r"nowhere\.xml: no such file"):
+        zmpwalk.simulate(model, duration=0.01, source="nowhere.xml")
 
 
 @pytest.mark.parametrize("duration", [0, -1, float("nan"), float("inf"), "long"])

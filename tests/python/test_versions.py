@@ -1,5 +1,6 @@
 """_check_mujoco.py and _adapters.py: what does not work together is refused in one line that says what would work."""
 
+import importlib.metadata
 import json
 import re
 import subprocess
@@ -8,22 +9,28 @@ from pathlib import Path
 
 import mujoco
 import pytest
+import zmpwalk
 from zmpwalk import InputError, VersionError, _adapters, _core, build_info
-from zmpwalk._check_mujoco import check_layout, check_versions
+from zmpwalk._check_mujoco import check_layout, check_versions, installed_mujoco
 
 SWAP = (
-    "import importlib.metadata as m, sys, mujoco; known, installed = m.version, {installed!r}\n"
-    "def version(package):\n"
-    "    if package == 'mujoco' and installed is None: raise m.PackageNotFoundError(package)\n"
-    "    return {{'mujoco': installed, 'numpy': {numpy!r}}}.get(package) or known(package)\n"
-    "m.version = version; mujoco.__version__ = {loaded!r} or mujoco.__version__\n"
+    "import sys, mujoco; mujoco.__version__ = {loaded!r}; sys.path.insert(0, {folder!r})\n"
     "sys.argv = ['zmpwalk', 'inspect']; import zmpwalk"
+)
+BARE = (
+    "import os, sys; has = lambda folder: os.path.isdir(os.path.join(folder, 'mujoco'))\n"
+    "sys.path[:] = [folder for folder in sys.path if not has(folder)] + [{folder!r}]\n"
 )
 
 
-def refusal(installed, loaded="", numpy="1.26.4"):
+def refusal(folder, installed, loaded="", numpy="1.26.4"):
     """What the command line says where these versions are installed and loaded."""
-    script = SWAP.format(installed=installed, loaded=loaded, numpy=numpy)
+    for package, version in (("mujoco", installed), ("numpy", numpy)):
+        (folder / f"{package}-{version}.dist-info").mkdir()
+    return said_by(SWAP.format(folder=str(folder), loaded=loaded))
+
+
+def said_by(script):
     done = subprocess.run([sys.executable, "-c", script], stderr=subprocess.PIPE, text=True, check=False)
     assert done.returncode == 2, done.stderr
     said = done.stderr.strip().splitlines()
@@ -31,24 +38,32 @@ def refusal(installed, loaded="", numpy="1.26.4"):
     return said[0]
 
 
-def test_an_unknown_mujoco_is_one_line_with_the_way_out():
-    said = refusal("9.9.9", "9.9.9")
+def test_an_unknown_mujoco_is_one_line_with_the_way_out(tmp_path):
+    said = refusal(tmp_path, "9.9.9", "9.9.9")
     for part in ("no adapter to MuJoCo 9.9.9", "zmpwalk build-adapter", "C++17 compiler", mujoco.__version__):
         assert part in said
 
 
-def test_a_missing_mujoco_is_one_line():
-    assert "no mujoco is installed: pip install mujoco" in refusal(None)
+def test_a_missing_mujoco_is_one_line(tmp_path):
+    (tmp_path / "zmpwalk").symlink_to(Path(zmpwalk.__file__).parent)
+    said = said_by(BARE.format(folder=str(tmp_path)) + "sys.argv = ['zmpwalk', 'inspect']; import zmpwalk")
+    assert "no mujoco is installed: pip install mujoco" in said
 
 
-def test_a_mujoco_that_was_swapped_under_the_environment_is_one_line():
-    said = refusal("3.3.6", "3.3.7")
+def test_a_version_without_a_folder_of_its_own_is_found_all_the_same(monkeypatch):
+    monkeypatch.setattr(sys, "path", [])
+    monkeypatch.setattr(importlib.metadata, "version", lambda package: {"mujoco": "9.9.9"}[package])
+    assert installed_mujoco() == "9.9.9"
+
+
+def test_a_mujoco_that_was_swapped_under_the_environment_is_one_line(tmp_path):
+    said = refusal(tmp_path, "3.3.6", "3.3.7")
     assert "MuJoCo 3.3.7 is loaded" in said
     assert "MuJoCo 3.3.6 is installed" in said
 
 
-def test_numpy_2_with_the_reference_is_one_line():
-    assert 'pip install "numpy<2"' in refusal("2.2.2", "2.2.2", "2.0.2")
+def test_numpy_2_with_the_reference_is_one_line(tmp_path):
+    assert 'pip install "numpy<2"' in refusal(tmp_path, "2.2.2", "2.2.2", "2.0.2")
 
 
 @pytest.mark.parametrize(

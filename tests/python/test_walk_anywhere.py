@@ -126,13 +126,14 @@ def test_command_function_is_called_every_20_ms_and_may_end_the_walk():
         assert out.t == t
         if t > 0.51:
             raise StopIteration
-        return 9.0, 0.0, 0.0  # as fast as the legs reach
+        return 9.0, 0.0, 0.0  # as fast as the robot can
 
     trace = zmpwalk.simulate(profile=VelocityProfile.constant(0.0), duration=4.0, command=command)
     assert called == pytest.approx(0.02 * np.arange(27))
     assert len(trace.t) == 521 and trace.meta["requested_duration"] == pytest.approx(0.521)
     limit = zmpwalk.WalkingController(*zmpwalk.load_robot("mahru")).speed_limit
     assert trace.command[-1] == pytest.approx([limit, 0, 0])
+    assert trace.command_limit[-1] == 2  # torque of a hip
     assert trace.rerun() == trace
 
 

@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "zmpwalk/robot/state.hpp"
@@ -13,7 +14,7 @@
 
 namespace zmpwalk {
 
-/// What a run does when the robot has fallen by the controller's own word, or has lost the ground for long.
+/// What a run does when the robot has fallen by the controller's own word, or has lost the ground for long. A fall that is only foreseen ends no run.
 enum class OnFall {
   kStop,  ///< ends: that is a fall
   kGoOn  ///< takes it for an alarm and goes on until the robot lies on the ground, or is not finite: only these are falls then
@@ -23,8 +24,9 @@ enum class OnFall {
 struct RunResult {
   Fall fell = Fall::kNone;
   double fall_time = kNaN;       ///< [s]
-  Fall alarm = Fall::kNone;      ///< the first word of a fall; with OnFall::kStop the fall itself
+  Fall alarm = Fall::kNone;      ///< the first word of a fall: one that is foreseen, or else the fall itself
   double alarm_time = kNaN;      ///< [s]
+  std::string alarm_text;        ///< in words
   bool stopped = false;          ///< a callback asked for it
   double wall_time = 0.0;        ///< [s]
   std::vector<double> cycle_us;  ///< time of each control cycle [us]

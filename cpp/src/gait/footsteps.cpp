@@ -7,11 +7,6 @@
 #include "zmpwalk/math/rotation.hpp"
 
 namespace zmpwalk {
-namespace {
-
-constexpr double kLonger = 1.15;  // times the planned step, where the plan goes as far as the leg is said to reach
-
-}  // namespace
 
 FootstepPlanner::FootstepPlanner(const WalkSettings& settings, const VelocityProfile& plan, const SoleSize& sole)
     : settings_(settings),
@@ -109,7 +104,7 @@ const Foothold& FootstepPlanner::follow(double ahead_of_plan, double aside, cons
                                         const LandingRoom* room) {
   const Vec2 left = planned.left();
   const double most = room ? std::numeric_limits<double>::infinity() : settings_.steps.shift;
-  const Vec2 off = planned.p + ahead_of_plan * path_.ahead - nominal_.p;
+  const Vec2 off = planned.p + ahead_of_plan * planned.ahead - nominal_.p;
   Foothold wanted = planned;
   wanted.p = nominal_.p + std::clamp(off.dot(planned.ahead), -most, most) * planned.ahead +
              (off.dot(left) + std::clamp(aside, -most, most)) * left;

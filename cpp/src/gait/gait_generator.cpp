@@ -28,14 +28,14 @@ std::array<Foothold, 2> feet_of(const GaitInput& in) {
 Vec2 reference_zmp(const GaitOutput& gait, const LinearInvertedPendulum& pendulum, const VelocityTracker& tracker,
                    const Vec2& com, const Vec2& dcom) {
   if (gait.at_rest) return gait.zmp_rest;
-  const double x = (com - gait.origin).dot(gait.ahead), from_middle = x - gait.orbit_middle;
+  const double x = (com - gait.origin).dot(gait.ahead_M), from_middle = x - gait.orbit_middle;
   const double a =
-      gait.orbit.acceleration(from_middle) +
-      tracker.acceleration(gait.orbit.velocity(from_middle) + gait.dv_capture, dcom.dot(gait.ahead), gait.orbit_ahead);
-  const double r = pendulum.reference_for(x, a);  // along H's x
+      gait.orbit.acceleration(from_middle) + tracker.acceleration(gait.orbit.velocity(from_middle) + gait.dv_capture,
+                                                                  dcom.dot(gait.ahead_M), gait.orbit_ahead);
+  const double r = pendulum.reference_for(x, a);  // along M's x
   // The bounds are along S's x: what is beyond them must not lean sideways where the sole points elsewhere than the walk.
   const double inside = std::clamp(r, gait.room.lower.x(), gait.room.upper.x());
-  return gait.origin + inside * gait.ahead + (r - inside) * gait.ahead_S + gait.zmp_lateral * left_of(gait.ahead);
+  return gait.origin + inside * gait.ahead_M + (r - inside) * gait.ahead_S + gait.zmp_lateral * left_of(gait.ahead_M);
 }
 
 GaitGenerator::GaitGenerator(const WalkSettings& settings, const VelocityProfile& profile, const SoleSize& sole,
@@ -239,11 +239,12 @@ const GaitOutput& GaitGenerator::update_steps(const GaitInput& in) {
   take_command(in.t);
   began_ = begin_phase(in);
   out_.heading = footsteps_.heading();
-  out_.ahead = footsteps_.path().ahead;
+  out_.ahead = out_.ahead_M = footsteps_.path().ahead;
   out_.v_plan = footsteps_.now().v;
   out_.standing = {true, true};
   out_.foothold = {Vec2::Constant(kNaN), kNaN};
   out_.w_T = kNaN;
+  zmp_lateral_ = out_.zmp_lateral;
   out_.zmp_lateral = 0.0;
   out_.stretch = 0.0;
   if (began_ == Began::kStand) {
@@ -308,12 +309,34 @@ void GaitGenerator::move_ahead(const GaitInput& in) {
   const double period = schedule_.times().period(), half = 0.5 * period, dt = settings_.control.dt;
   const bool awaits = before_switch();
   const double since_middle = awaits ? half - 0.5 * out_.phase.duration + out_.phase.time : -out_.phase.to_mid_single;
-  take_orbit(out_.orbit, sole_room_, out_.v_plan.x() + footsteps_.hurried(), period);
-  out_.orbit_middle = settings_.com.lead;
-  out_.orbit_ahead = out_.orbit.ahead(std::clamp(since_middle, -half, half));
   const double time = awaits ? std::max(0.5 * out_.phase.duration - out_.phase.time, dt) : out_.phase.to_mid_double;
   next_ = footsteps_.stance_at(in.t + time, awaits ? period : period_);
+  turn(in, since_middle);
+  const double v = speed_in_M(out_.v_plan, out_.support, turn_, period);
+  take_orbit(out_.orbit, sole_room_, v + footsteps_.hurried(), period);
+  out_.orbit_middle = settings_.com.lead;
+  out_.orbit_ahead = out_.orbit.ahead(std::clamp(since_middle, -half, half));
   capture(in, time);
+}
+
+void GaitGenerator::turn(const GaitInput& in, double since_middle) {
+  // What is commanded after the middle of a stance turns the stances to come, not this one. A robot that begins to walk shifts its load to the
+  // first foot without having stood on the other one alone.
+  if (starting_ && before_switch())
+    heading_M_ = next_.path.yaw;
+  else if (const double middle = in.t - since_middle; middle >= in.t)
+    heading_M_ = out_.heading + (plan_.turns(footsteps_.now(), middle) ? plan_.displacement(in.t, middle).z() : 0.0);
+  turn_ = next_.path.yaw - heading_M_;
+  if (heading_M_ != out_.heading) out_.ahead_M = ahead_of(heading_M_);
+  next_turn_ = 0.5 * next_.displacement().z();
+  ahead_next_ = next_turn_ == 0.0 ? next_.path.ahead : ahead_of(next_.path.yaw + next_turn_);
+}
+
+double GaitGenerator::speed_in_M(const Vec3& v, Side side, double angle, double period) const {
+  if (angle == 0.0) return v.x();
+  const double Tc = pendulum_.Tc();
+  const double sway = 0.5 * footsteps_.width(v.y() * period) / Tc * std::tanh(0.5 * period / Tc);
+  return v.x() * std::cos(angle) + side_sign(side) * sway * std::sin(angle);
 }
 
 void GaitGenerator::take_orbit(ForwardOrbit& orbit, const ZmpBounds& sole, double v, double period, bool end) const {
@@ -330,37 +353,56 @@ ZmpBounds GaitGenerator::room(const GaitInput& in, const std::array<ZmpBounds, 2
 }
 
 void GaitGenerator::capture(const GaitInput& in, double time) {
-  const double period = next_.period, slope = time + pendulum_.Tc(), length = next_.displacement().x();
-  const double v_mean = length / period;
+  const double period = next_.period, slope = time + pendulum_.Tc();
+  const double v_mean = speed_in_M(next_.displacement() / period, other(out_.support), next_turn_, period);
+  const double length = next_turn_ == 0.0 ? next_.displacement().x() : v_mean * period;
   take_orbit(next_orbit_, sole_room({v_mean, 0.0, 0.0}), v_mean, period, true);
   v_start_ = next_orbit_.end_velocity();
   xi_start_ = settings_.com.lead - 0.5 * length + pendulum_.Tc() * v_start_;
   const ForwardStance stance{out_.orbit,      out_.orbit_middle,   settings_.tracking.time, in.catch_up,
                              out_.dv_capture, out_.room.lower.x(), out_.room.upper.x()};
-  const PendulumState state{(in.com - out_.origin).dot(out_.ahead), in.dcom.dot(out_.ahead)};
-  const PendulumState then = roll_out(pendulum_, plan_, footsteps_.now(), next_.mid, time, state, stance);
+  const PendulumState state{(in.com - out_.origin).dot(out_.ahead_M), in.dcom.dot(out_.ahead_M)};
+  PendulumState then = roll_out(pendulum_, plan_, footsteps_.now(), next_.mid, time, state, stance);
+  xi_sideways_ = 0.0;
+  if (turn_ != 0.0 || next_turn_ != 0.0) {
+    const Vec2 left = left_of(out_.ahead_M);
+    const PendulumState aside{(in.com - out_.origin).dot(left), in.dcom.dot(left)};
+    const PendulumState swayed = pendulum_.step(pendulum_.over(time), aside, before_switch() ? 0.0 : zmp_lateral_);
+    // From M into that of the next foot.
+    const double c = out_.ahead_M.dot(ahead_next_), s = left.dot(ahead_next_);
+    xi_sideways_ = s * pendulum_.dcm(then);
+    then = {c * then.x + s * swayed.x, c * then.v + s * swayed.v};
+  }
   xi_next_ = pendulum_.dcm(then);
   v_next_ = then.v;
   if (settings_.steps.mode != Footsteps::kTied) return;
   // One step of Newton's a cycle: a COM faster by dv is dv time further then, and its DCM dv (time + T_c).
   const bool decided = out_.phase.phase == Phase::kSingleSupport &&
                        (footsteps_.closing() || out_.phase.time > settings_.steps.freeze * out_.phase.duration);
-  const double foot = before_switch() ? (in.p_sole[other(out_.support)].head<2>() - out_.origin).dot(out_.ahead)
-                      : decided       ? (footsteps_.target().p - out_.origin).dot(out_.ahead)
-                                      : footsteps_.lead(out_.phase.step, next_);
+  const double foot = before_switch() ? (in.p_sole[other(out_.support)].head<2>() - out_.origin).dot(ahead_next_)
+                      : decided       ? (footsteps_.target().p - out_.origin).dot(ahead_next_)
+                                      : planned_lead();
   const double planned = foot + xi_start_, near = settings_.steps.capture_distance;
   const double alone = xi_next_ - slope * out_.dv_capture;
   const double dv = out_.dv_capture + (std::clamp(alone, planned - near, planned + near) - xi_next_) / slope;
   out_.dv_capture = std::clamp(dv, -settings_.steps.capture_speed, settings_.steps.capture_speed);
 }
 
-double GaitGenerator::ahead_of_plan(const GaitInput& in) const {
+double GaitGenerator::planned_lead() const {
+  const double lead = footsteps_.lead(out_.phase.step, next_);
+  if (next_turn_ == 0.0) return lead;
+  const double aside = side_sign(other(out_.support)) * footsteps_.width(next_.drift());
+  return lead * std::cos(next_turn_) + aside * std::sin(next_turn_);
+}
+
+double GaitGenerator::ahead_of_plan(const GaitInput& in, const Vec2& planned) const {
   const double to_middle = (next_.mid.integral - footsteps_.now().integral).x();
-  const double planned =
-      (in.com - out_.origin).dot(out_.ahead) + to_middle + 0.5 * next_.displacement().x() - settings_.com.lead;
+  const double there = turn_ == 0.0 && next_turn_ == 0.0 ? (in.com - out_.origin).dot(out_.ahead) + to_middle +
+                                                               0.5 * next_.displacement().x() - settings_.com.lead
+                                                         : (planned - out_.origin).dot(ahead_next_);
   // An excess speed, up to this, is left to the ZMP over that foot: taken up by the foothold, a long step would make the next one short.
   const double excess = pendulum_.Tc() * (v_next_ - v_start_), give = settings_.steps.give;
-  return xi_next_ - xi_start_ - planned - std::clamp(excess, give * out_.room.lower.x(), give * out_.room.upper.x());
+  return xi_next_ - xi_start_ - there - std::clamp(excess, give * out_.room.lower.x(), give * out_.room.upper.x());
 }
 
 double GaitGenerator::stretch(const GaitInput& in) {
@@ -383,12 +425,16 @@ double GaitGenerator::stretch(const GaitInput& in) {
 void GaitGenerator::move_sideways(const GaitInput& in) {
   const bool single = out_.phase.phase == Phase::kSingleSupport;
   const double Tc = pendulum_.Tc();
-  const PendulumState y{(in.com - out_.origin).dot(left_of(out_.ahead)), in.dcom.dot(left_of(out_.ahead))};
+  const Vec2 left = left_of(out_.ahead_M);
+  const PendulumState y{(in.com - out_.origin).dot(left), in.dcom.dot(left)};
   if (before_switch()) {
+    const Vec2 left_next = left_of(ahead_next_);
+    const PendulumState then{(in.com - out_.origin).dot(left_next), in.dcom.dot(left_next)};
     const double dt = settings_.control.dt, period = schedule_.times().period();
-    const double drift = plan_.displacement(in.t, in.t + period).y(), foot = across(in.p_sole[other(out_.support)]);
+    const double drift = plan_.displacement(in.t, in.t + period).y();
+    const double foot = (in.p_sole[other(out_.support)].head<2>() - out_.origin).dot(left_next);
     const double w_orbit = pendulum_.orbit_velocity(drift, period);
-    out_.w_T = lateral_.check_switch(pendulum_, y, 0.0, foot, out_.phase.to_mid_single, w_orbit, dt,
+    out_.w_T = lateral_.check_switch(pendulum_, then, 0.0, foot, out_.phase.to_mid_single, w_orbit, dt,
                                      out_.phase.duration - out_.phase.time);
     return;
   }
@@ -398,14 +444,19 @@ void GaitGenerator::move_sideways(const GaitInput& in) {
     orbit_period_ = period_;
     orbit_Tc_ = Tc;
   }
+  const bool turns = turn_ != 0.0 || next_turn_ != 0.0;
   const LinearInvertedPendulum::Growth until = pendulum_.growth(out_.phase.to_mid_double);
   const double xi = pendulum_.dcm(y), drift = next_.drift();
   // The orbit's DCM in the middle of the next double support, for a foot that lands at `there`; before a stand, half way to it.
   const auto xi_end = [&](const Vec2& there) {
-    const double y_there = (there - out_.origin).dot(left_of(out_.ahead));
+    const double y_there = (there - out_.origin).dot(left_of(ahead_next_));
     if (footsteps_.closing()) return 0.5 * y_there;
-    return y_there + side_sign(out_.support) * pendulum_.orbit_inset(footsteps_.width(drift), orbit_growth_) +
-           pendulum_.orbit_offset(drift, orbit_growth_);
+    const double inset = side_sign(out_.support) * pendulum_.orbit_inset(footsteps_.width(drift), orbit_growth_) +
+                         pendulum_.orbit_offset(drift, orbit_growth_);
+    if (!turns) return y_there + inset;
+    // From the next foot's M into M.
+    const double curve = 2.0 * Tc * next_.mid.v.x() * std::sin(next_turn_) / orbit_growth_.excess;
+    return (y_there + std::cos(next_turn_) * inset + curve + xi_sideways_) / out_.ahead_M.dot(ahead_next_);
   };
   const auto sway = [&](const Vec2& there) {
     return Sway{settings_, pendulum_, out_.support, y, xi, xi_end(there), out_.phase.to_mid_double, until};
@@ -424,13 +475,13 @@ void GaitGenerator::move_sideways(const GaitInput& in) {
       const double aside = lateral_.miss(sway(planned.p));
       LandingRoom reachable;
       if (pushed_ > 0.0) reachable = landing_room(in);
-      footsteps_.follow(ahead_of_plan(in), aside, planned, pushed_ > 0.0 ? &reachable : nullptr);
+      footsteps_.follow(ahead_of_plan(in, planned.p), aside, planned, pushed_ > 0.0 ? &reachable : nullptr);
     }
     out_.foothold = footsteps_.target();
   }
   const Vec2 there = single ? out_.foothold.p : footsteps_.planned(out_.swing, next_).p;
   out_.zmp_lateral = lateral_.reference(sway(there));
-  xi_offset_ = xi_end(there) - (there - out_.origin).dot(left_of(out_.ahead));
+  xi_offset_ = xi_end(there) - (there - out_.origin).dot(left);
   xi_planned_ = xi_end(there) / until.factor;
 }
 

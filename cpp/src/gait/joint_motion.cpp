@@ -86,6 +86,7 @@ void MotionReference::reset() {
 
 void MotionReference::blend_from_here() {
   t_start_ = t_;
+  rests_ = false;
   for (Eigen::Index i = 0; i < rest_.size(); ++i) difference_[i] = {q_[i] - rest_[i], dq_[i], ddq_[i]};
   for (std::size_t j = 0; j < entry_.size(); ++j) {
     const Motion1 first = motion_.at(0.0, static_cast<int>(j));
@@ -96,6 +97,7 @@ void MotionReference::blend_from_here() {
 
 void MotionReference::update(double t) {
   t_ = t;
+  if (rests_) return;
   const double since = t - t_start_;
   for (Eigen::Index i = 0; i < rest_.size(); ++i) {
     const Motion1 d = since < blend_ ? fade_out(difference_[i], blend_, since) : Motion1{};
@@ -110,6 +112,7 @@ void MotionReference::update(double t) {
     dq_[i] += m.v;
     ddq_[i] += m.a;
   }
+  rests_ = entry_.empty() && since >= blend_;
 }
 
 bool MotionReference::names(int coordinate) const {

@@ -11,7 +11,13 @@ WalkPlan plan_walk(const WalkSettings& given, const VelocityProfile& profile, co
                    const std::array<ZmpBounds, 2>& bounds, const SoleSize& sole, const GaitInput& start,
                    double duration) {
   require_positive("duration", duration);
+  constexpr double kMostRows = 1e7;
   const double dt = given.control.dt;
+  require_positive("dt", dt);
+  if (!(duration / dt <= kMostRows))
+    throw InputError(
+        "a plan over this duration, at this time step, has more than ten million rows: choose a shorter "
+        "duration or a longer time step");
   const auto count = static_cast<std::size_t>(std::ceil(duration / dt - 1e-9));
   WalkPlan plan;
   plan.t.reserve(count);

@@ -92,9 +92,9 @@ void GaitGenerator::feel_pushes(const GaitInput& in) {
 }
 
 Vec2 GaitGenerator::off_plan(const GaitInput& in) const {
-  const Vec2 left = left_of(out_.ahead), from = in.com - out_.origin, &whole = whole_[out_.support].upper;
-  const double Tc = pendulum_.Tc(), x = from.dot(out_.ahead) - out_.orbit_middle;
-  const double ahead = Tc * (in.dcom.dot(out_.ahead) - out_.orbit.velocity(x)) / sole_room_.upper.x();
+  const Vec2 left = left_of(out_.ahead_M), from = in.com - out_.origin, &whole = whole_[out_.support].upper;
+  const double Tc = pendulum_.Tc(), x = from.dot(out_.ahead_M) - out_.orbit_middle;
+  const double ahead = Tc * (in.dcom.dot(out_.ahead_M) - out_.orbit.velocity(x)) / sole_room_.upper.x();
   const double aside = before_switch() ? 0.0 : ((from + Tc * in.dcom).dot(left) - xi_planned_) / whole.y();
   return {ahead, aside};
 }
@@ -173,12 +173,12 @@ void GaitGenerator::adjust_time(const GaitInput& in) {
   limits.most = std::max(limits.planned + steps.wait_time, limits.least);
   limits.take_over = 0.5 * schedule_.times().T_ds;
 
-  const Mat2 to_H = axes_of(out_.ahead).transpose();
+  const Mat2 to_M = axes_of(out_.ahead_M).transpose();
   const ZmpBounds& whole = whole_[out_.support];
-  const Vec2 xi = to_H * (in.com + Tc * in.dcom - out_.origin);
-  const Vec2 foot = to_H * (in.p_sole[out_.swing].head<2>() - out_.origin), velocity = to_H * swing_velocity();
+  const Vec2 xi = to_M * (in.com + Tc * in.dcom - out_.origin);
+  const Vec2 foot = to_M * (in.p_sole[out_.swing].head<2>() - out_.origin), velocity = to_M * swing_velocity();
   const Vec2 drift(out_.v_plan.x(), 0.0);
-  const Vec2 place = to_H * (out_.foothold.p - out_.origin) + (limits.planned - left) * drift;
+  const Vec2 place = to_M * (out_.foothold.p - out_.origin) + (limits.planned - left) * drift;
   const double near = side_sign(out_.swing) * least_apart_, far = side_sign(out_.swing) * steps.aside_most;
   const double ahead_most = std::max(steps.ahead_most, std::abs(place.x()));
   const Vec2 lower(-ahead_most, std::min(near, far)), upper(ahead_most, std::max(near, far));

@@ -10,6 +10,9 @@ namespace {
 
 constexpr double kForever = std::numeric_limits<double>::infinity();
 
+/// No walk is faster [m/s, rad/s] or lasts longer [s]; with larger numbers the sums of a plan overflow.
+constexpr double kFastest = 1e3, kLongest = 1e9;
+
 }  // namespace
 
 VelocityProfile::VelocityProfile(std::vector<double> t, std::vector<Vec3> v, Interpolation interpolation)
@@ -20,6 +23,9 @@ VelocityProfile::VelocityProfile(std::vector<double> t, std::vector<Vec3> v, Int
     const std::string where = "knot " + std::to_string(i);
     if (!std::isfinite(t_[i]) || !v_[i].allFinite())
       throw InputError("velocity profile, " + where + ": time or velocity is not finite");
+    if (std::abs(t_[i]) > kLongest || v_[i].cwiseAbs().maxCoeff() > kFastest)
+      throw InputError("velocity profile, " + where +
+                       ": time or velocity is too large; a time is at most 1e9 s, a velocity 1000 m/s or 1000 rad/s");
     if (i == 0 && t_[0] != 0.0)
       throw InputError("velocity profile starts at t = " + std::to_string(t_[0]) + " s; it must start at 0");
     if (i > 0 && !(t_[i] > t_[i - 1]))

@@ -1,6 +1,16 @@
 #include "zmpwalk/math/error.hpp"
 
+#include <sstream>
+
 namespace zmpwalk {
+
+std::string text_of(double value) {
+  if (std::isnan(value)) return "nan";
+  if (std::abs(value) < 1e7) return std::to_string(value);
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
 
 std::string ModelError::lines(const std::vector<std::string>& why) {
   std::string text;
@@ -22,12 +32,12 @@ void require_shape(const char* name, long rows, long cols, long want_rows, long 
 
 void require_finite(const char* name, double value) {
   if (std::isfinite(value)) return;
-  throw InputError(std::string(name) + " = " + std::to_string(value) + "; it must be a finite number");
+  throw InputError(std::string(name) + " = " + text_of(value) + "; it must be a finite number");
 }
 
 void require_positive(const char* name, double value) {
   if (std::isfinite(value) && value > 0.0) return;
-  throw InputError(std::string(name) + " = " + std::to_string(value) + "; it must be finite and greater than 0");
+  throw InputError(std::string(name) + " = " + text_of(value) + "; it must be finite and greater than 0");
 }
 
 }  // namespace zmpwalk

@@ -213,11 +213,34 @@ void Robot::compute() {
 }
 
 void Robot::require_computed(const Data& d) const {
+  const char* stale = nullptr;
   for (int i = 0; i < 3; ++i)
-    if (d.xpos[3 * root_body_ + i] != d.qpos[qpos0_ + i])
-      throw InputError(
-          "data's computed terms belong to another state than its qpos: call mj_step1 or mj_forward before "
-          "this update, or let it compute them itself");
+    if (d.xpos[3 * root_body_ + i] != d.qpos[qpos0_ + i]) stale = "qpos";
+  const Eigen::Quaterniond base(d.qpos[qpos0_ + 3], d.qpos[qpos0_ + 4], d.qpos[qpos0_ + 5], d.qpos[qpos0_ + 6]);
+  constexpr double kRounding = 1e-9;
+  const ConstRowMat3Map R_WB(d.xmat + 9 * root_body_);
+  if ((base.normalized().toRotationMatrix() - R_WB).cwiseAbs().maxCoeff() > kRounding) stale = "qpos";
+  // What a joint's motor moves by is in the data too.
+  for (int a = 0; a < m_.nu; ++a) {
+    if (m_.actuator_trntype[a] != mj::kByJoint) continue;
+    const int joint = m_.actuator_trnid[2 * a], kind = m_.jnt_type[joint];
+    if (kind != mj::kHinge && kind != mj::kSlide) continue;
+    const double length = m_.actuator_gear[6 * a] * d.qpos[m_.jnt_qposadr[joint]];
+    if (std::abs(d.actuator_length[a] - length) > kRounding * (1.0 + std::abs(length))) stale = "qpos";
+  }
+  // The velocity of each body is that of the body above it, and what its own joints add (com_vel).
+  using Vec6Map = Eigen::Map<const Vec6>;
+  for (int b = root_body_; b < m_.nbody; ++b) {
+    if (m_.body_rootid[b] != root_body_ || m_.body_dofnum[b] == 0) continue;
+    Vec6 cvel = Vec6Map(d.cvel + 6 * m_.body_parentid[b]);
+    for (int i = m_.body_dofadr[b]; i < m_.body_dofadr[b] + m_.body_dofnum[b]; ++i)
+      cvel += Vec6Map(d.cdof + 6 * i) * d.qvel[i];
+    if ((cvel - Vec6Map(d.cvel + 6 * b)).cwiseAbs().maxCoeff() > kRounding * (1.0 + cvel.cwiseAbs().maxCoeff()))
+      stale = "qvel";
+  }
+  if (stale)
+    throw InputError(std::string("data's computed terms belong to another state than its ") + stale +
+                     ": call mj_step1 or mj_forward before this update, or let it compute them itself");
 }
 
 void Robot::read_computed(const Data& d) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <tuple>
 
 #include "zmpwalk/gait/pendulum.hpp"
@@ -14,20 +15,35 @@ namespace {
 constexpr double kReferenceHeight = 0.747;
 constexpr double kReferencePeriod = 0.8;
 
+/// The largest number that makes sense in a unit. Far beyond it sums overflow and loops do not end.
+double largest(const std::string& unit) {
+  static const std::map<std::string, double> most{{"m", 10.0},      {"s", 100.0},   {"rad", 100.0},
+                                                  {"m/s", 100.0},   {"rad/s", 1e3}, {"m/s^2", 1e4},
+                                                  {"rad/s^2", 1e5}, {"", 1e5},      {"N m", 1e9}};
+  const auto found = most.find(unit);
+  return found == most.end() ? 1e9 : found->second;
+}
+
+std::string number_of(double value) { return text_of(value); }
+std::string number_of(int value) { return std::to_string(value); }
+
 template <class Number>
-void check(const std::string& name, Number value, const Range& range) {
-  if (!range.holds(value)) throw InputError(name + " = " + std::to_string(value) + "; it must be " + range.text);
+void check(const std::string& name, Number value, const Setting& row) {
+  if (!row.range.holds(value)) throw InputError(name + " = " + number_of(value) + "; it must be " + row.range.text);
+  if (const double most = largest(row.unit); std::abs(static_cast<double>(value)) > most)
+    throw InputError(name + " = " + number_of(value) + "; it must be at most " + text_of(most) +
+                     (*row.unit ? " " : "") + row.unit);
 }
 
 /// Checks every number of a setting.
 template <class T>
 void check_all(const T& value, const Setting& row) {
   if constexpr (std::is_same_v<T, double> || std::is_same_v<T, int>)
-    check(row.both_names(), value, row.range);
+    check(row.both_names(), value, row);
   else if constexpr (std::is_same_v<T, std::vector<double>>)
-    for (const double x : value) check(row.both_names(), x, row.range);
+    for (const double x : value) check(row.both_names(), x, row);
   else if constexpr (std::is_same_v<T, std::map<std::string, double>>)
-    for (const auto& [key, x] : value) check(row.path() + "." + key, x, row.range);
+    for (const auto& [key, x] : value) check(row.path() + "." + key, x, row);
 }
 
 }  // namespace
@@ -135,6 +151,14 @@ WalkSettings resolve(const WalkSettings& settings, const RobotScale& robot, doub
       if (std::isnan(value) && row.default_value.from_robot()) value = row.default_value.value(scale);
     check_all(value, row);
   });
+  for (const auto& [name, share] : {std::pair("zmp.sole_fraction (sole_fraction)", s.zmp.sole_fraction),
+                                    std::pair("zmp.whole_fraction (whole_sole_fraction)", s.zmp.whole_fraction)})
+    if (share > 1.0)
+      throw InputError(std::string(name) + " = " + text_of(share) + "; it is a share of the sole, at most 1");
+  if (s.swing.height > robot.com_height || s.steps.width > 4.0 * robot.com_height)
+    throw InputError("swing.height (step_height) = " + text_of(s.swing.height) +
+                     " m, steps.width (step_width) = " + text_of(s.steps.width) +
+                     " m; they are at most once and four times the COM's height, " + text_of(robot.com_height) + " m");
   const double ratio = s.control.dt / robot.timestep;
   if (!(ratio > 0.5) || std::abs(ratio - std::round(ratio)) > 1e-6)
     throw InputError("control.dt (control_dt) = " + std::to_string(s.control.dt) +

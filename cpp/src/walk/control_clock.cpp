@@ -11,6 +11,9 @@ namespace {
 /// Times are sums of time steps and carry rounding: a period counts as over when all but this share of it has gone by.
 constexpr double kEarly = 1e-3;
 
+/// Nobody walks on after this long without a new torque [s].
+constexpr double kLongestGap = 0.5;
+
 }  // namespace
 
 void ControlClock::reset(double time) {
@@ -28,6 +31,9 @@ void ControlClock::require(double time) const {
   if (time < last_)
     throw InputError("time has gone back from " + std::to_string(last_) + " s to " + std::to_string(time) +
                      " s; call reset to start a walk anew");
+  if (time - last_ > kLongestGap)
+    throw InputError("time has jumped from " + std::to_string(last_) + " s to " + std::to_string(time) +
+                     " s; call update in every time step, and reset to start a walk anew");
 }
 
 bool ControlClock::due(double time) const { return time >= next_ - kEarly * control_dt_; }

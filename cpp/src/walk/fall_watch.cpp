@@ -5,23 +5,18 @@
 
 namespace zmpwalk {
 
-FallWatch::FallWatch(const WalkSettings& settings)
-    : height_share_(settings.fall.height), tilt_(settings.fall.tilt), foot_tilt_(settings.fall.foot_tilt) {}
+FallWatch::FallWatch(const WalkSettings& settings) : height_share_(settings.fall.height), tilt_(settings.fall.tilt) {}
 
-void FallWatch::reset(const Dynamics& dyn, const Mat3& R_HB, double com_height) {
+void FallWatch::reset(const Mat3& R_HB, double com_height) {
   R_HB_ = R_HB;
   com_height_ = com_height;
-  for (const Side side : kSides) up_[side] = dyn.sole[side].R_WF.col(2);
 }
 
-Fall FallWatch::check(const Dynamics& dyn, const GaitOutput& gait) const {
+Fall FallWatch::check(const Dynamics& dyn) const {
   const double height = dyn.com.z() - std::max(dyn.sole[kLeft].p_WF.z(), dyn.sole[kRight].p_WF.z());
   const double tilt = std::acos(std::clamp((dyn.R_WB * R_HB_.transpose())(2, 2), -1.0, 1.0));
   if (height < height_share_ * com_height_) return Fall::kHeight;
   if (tilt > tilt_) return Fall::kTilt;
-  if (gait.phase.phase == Phase::kSingleSupport &&
-      dyn.sole[gait.support].R_WF.col(2).dot(up_[gait.support]) < std::cos(foot_tilt_))
-    return Fall::kFootTipped;
   return Fall::kNone;
 }
 

@@ -2,13 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "zmpwalk/math/error.hpp"
 
 namespace zmpwalk {
+namespace {
+
+/// No leg reaches so fast [m/s, rad/s]; the numbers of faster steps overflow.
+constexpr double kFastest = 1e3;
+
+void require_velocity(const Vec3& velocity) {
+  if (!velocity.allFinite())
+    throw InputError("velocity (" + velocity_text(velocity) +
+                     ") is not finite; it is (v_x, v_y, w_z) [m/s, m/s, rad/s]");
+}
+
+}  // namespace
 
 std::string velocity_text(const Vec3& v) {
-  return std::to_string(v.x()) + " m/s, " + std::to_string(v.y()) + " m/s, " + std::to_string(v.z()) + " rad/s";
+  return text_of(v.x()) + " m/s, " + text_of(v.y()) + " m/s, " + text_of(v.z()) + " rad/s";
 }
 
 LegReach::LegReach(const Robot& robot, const WalkSettings& settings, const Cadence& cadence)
@@ -48,12 +61,16 @@ double LegReach::crouch_for(double stride) const {
 }
 
 double LegReach::share(const Vec3& velocity) const {
+  require_velocity(velocity);
+  if (velocity.cwiseAbs().maxCoeff() > kFastest) return std::numeric_limits<double>::infinity();
   const StepTimes times = cadence_.times(velocity);
   const double turn = 0.5 * (times.period() + times.T_ds) * velocity.z();
   return std::max(stride(velocity) / along_ground(crouch_limit_), std::abs(turn) / hip_turn_);
 }
 
 Vec3 LegReach::within(const Vec3& velocity) const {
+  require_velocity(velocity);
+  if (const double most = velocity.cwiseAbs().maxCoeff(); most > kFastest) return within(velocity / most * kFastest);
   if (share(velocity) <= 1.0) return velocity;
   double possible = 0.0, impossible = 1.0;
   for (int i = 0; i < 40; ++i) {

@@ -32,6 +32,27 @@ double top_speed(const VelocityProfile& profile) {
   return top;
 }
 
+/// A walk begins on the feet. @throws InputError  the COM lies lower than the soles or hardly over them
+void require_upright(const Dynamics& dyn) {
+  constexpr double kLeastHeight = 0.01;  // [m]
+  const double z_c = height_over_soles(dyn);
+  if (!std::isfinite(z_c)) throw InputError("the robot's position is too large a number for its COM to be known");
+  if (z_c < kLeastHeight)
+    throw InputError("the COM lies " + std::to_string(z_c) +
+                     " m over the soles: the robot is upside down or lies on the ground; place it on its feet first");
+}
+
+/// Between two calls a robot moves about as far as its speed takes it. One that was put somewhere else has begun another walk.
+/// @param robot  in the state of the last cycle  @param elapsed  since then [s]. @throws InputError
+void require_continuous(const Robot& robot, const State& state, double elapsed) {
+  constexpr double kLeap = 0.25;  // more than any reset of an odometry [m]
+  const double moved = (state.q.head<3>() - robot.qpos().head<3>()).norm();
+  const double speed = std::max(robot.qvel().head<3>().norm(), state.dq.head<3>().norm());
+  if (moved > kLeap + 3.0 * speed * elapsed)
+    throw InputError("the base has jumped by " + std::to_string(moved) +
+                     " m since the last update: the robot was placed elsewhere; call reset to start a walk anew");
+}
+
 }  // namespace
 
 WalkingController::WalkingController(const Model& model, const RobotDescription& description,
@@ -48,6 +69,7 @@ WalkingController::WalkingController(const Model& model, const RobotDescription&
       ground_(settings_, height_.z_c(), height_.pendulum().Tc()),
       gait_(settings_, profile_, sole_, bounds_, whole_),
       reach_(robot_, settings_, gait_.cadence()),
+      command_limit_(robot_, settings_, gait_.cadence(), reach_, sole_, bounds_[kLeft], height_.z_c()),
       tracker_(settings_.tracking),
       reference_(settings_),
       body_(robot_, settings_),
@@ -59,6 +81,9 @@ WalkingController::WalkingController(const Model& model, const RobotDescription&
                    settings_.control.singular_task}),
       limits_(limits_of(robot_, settings_), whole_body_),
       estimator_(robot_.nv()),
+      foresight_(settings_, sole_,
+                 {bounds_of(robot_, kLeft, settings_, 1.0), bounds_of(robot_, kRight, settings_, 1.0)}),
+      crouch_(robot_, settings_.control.dt),
       fall_(settings_),
       observer_(settings_, robot_.dynamics().gravity.norm()),
       attitude_(settings_, robot_.dynamics().gravity.norm()),
@@ -117,7 +142,10 @@ void WalkingController::command(const Vec3& velocity) {
   if (!velocity.allFinite())
     throw InputError("command (" + velocity_text(velocity) +
                      ") is not finite; it is (v_x, v_y, w_z) [m/s, m/s, rad/s]");
-  mailbox_.put(reach_.within(velocity));
+  SpeedLimit bites;
+  const Vec3 possible = command_limit_.within(velocity, &bites);
+  bites_ = bites;
+  mailbox_.put(possible);
 }
 
 void WalkingController::move(const JointMotion& motion) {
@@ -162,7 +190,7 @@ double WalkingController::plan_mismatch(double duration) const {
 }
 
 void WalkingController::require_startable() const {
-  reach_.require_within(profile_);
+  command_limit_.require_within(profile_);
   // When the robot starts from a stand, the COM must not run away from the first stance foot before the second foot stands.
   const double room = reach_.along_ground(0.0);
   if (start_excursion(1.0) <= room) return;
@@ -191,6 +219,7 @@ double WalkingController::start_excursion(double scale) const {
 void WalkingController::reset(const State& state) {
   require_state(state, robot_.nv());
   robot_.read(state);
+  require_upright(robot_.dynamics());
   clock_.reset(state.time);
   start();
 }
@@ -224,7 +253,8 @@ void WalkingController::start() {
   for (auto& pose : out_.foot) pose.setZero();
   const Vec3 forward = dyn.sole[kLeft].R_WF.col(0) + dyn.sole[kRight].R_WF.col(0);
   trunk_task_.R_HB = rotation_z(std::atan2(forward.y(), forward.x())).transpose() * dyn.R_WB;
-  fall_.reset(dyn, trunk_task_.R_HB, z_c);
+  foresight_.reset(start_.R_sole);
+  fall_.reset(trunk_task_.R_HB, z_c);
   body_.reset();
   added_.reset();
   whole_body_.reserve(added_);
@@ -238,6 +268,7 @@ const CycleOutput& WalkingController::update(const State& state) {
   require_state(state, robot_.nv());
   require_external(state.external);
   clock_.require(state.time);
+  require_continuous(robot_, state, elapsed(state.time));
   out_.fresh = clock_.due(state.time);
   if (!out_.fresh) {
     clock_.hold(state.time);
@@ -257,6 +288,7 @@ const CycleOutput& WalkingController::update(const Data& data, Terms terms, cons
   require_external(sensed.external);
   robot_.observe(data, state_);
   clock_.require(state_.time);
+  require_continuous(robot_, state_, elapsed(state_.time));
   const bool due = clock_.due(state_.time);
   if (due && terms == Terms::kInData) robot_.require_computed(data);
   out_.fresh = due;
@@ -306,6 +338,7 @@ void WalkingController::cycle(const State& state) {
   const double t = clock_.since_start(state.time);
   clock_.tick(state.time);
   out_.t = state.time;
+  if (out_.foreseen && settings_.fall.crouch) return crouch();
 
   // Where the walk is now, and where COM and feet are to go.
   const bool measured = settings_.com.state == ComState::kMeasured;
@@ -313,7 +346,10 @@ void WalkingController::cycle(const State& state) {
              dcom = measured ? Vec2(dyn.dcom.head<2>()) : dcom_des_;
   const ForcedPendulum forced = forced_pendulum(dyn, ground_.height());
   if (height_.weigh(forced.gravity)) follow_pendulum();
-  if (Vec3 live; mailbox_.take(live) && live != out_.command) gait_.command(out_.command = live);
+  if (Vec3 live; mailbox_.take(live)) {
+    out_.command_limit = bites_;
+    if (live != out_.command) gait_.command(out_.command = live);
+  }
   GaitInput in = gait_input(t, com + forced.shift, dcom);
   in.contact << state.contact[kLeft], state.contact[kRight];
   if (settings_.gait.touch_down == TouchDown::kFelt)
@@ -323,6 +359,8 @@ void WalkingController::cycle(const State& state) {
     }
   const GaitOutput& gait = gait_.update(in);
   ground_.update(gait, dyn);
+  out_.foreseen = foresight_.update(state.time, gait_, in, height_.pendulum());
+  out_.fall_gap = foresight_.gap();
   if (height_.update(t, gait.stretch, gait_.plan(), reach_, gait_.cadence().slow.period())) follow_pendulum();
   const Cycle cycle = cycle_of(t, dyn, gait, height_.pendulum(), com, dcom, forced.shift);
 
@@ -469,10 +507,7 @@ void WalkingController::cut_torque(const GaitOutput& gait) {
 }
 
 void WalkingController::note(const Cycle& cycle) {
-  const Dynamics& dyn = robot_.dynamics();
   const GaitOutput& gait = *cycle.gait;
-  out_.com = dyn.com;
-  out_.dcom = dyn.dcom;
   out_.heading = gait.heading;
   out_.at_rest = gait.at_rest;
   out_.v_plan = gait.v_plan;
@@ -487,6 +522,13 @@ void WalkingController::note(const Cycle& cycle) {
   out_.zmp_lower = cycle.to_W(gait.room.lower);
   out_.zmp_upper = cycle.to_W(gait.room.upper);
   out_.zmp_plane << whole_body_.zmp_plane().normal, whole_body_.zmp_plane().offset;
+  note_body();
+}
+
+void WalkingController::note_body() {
+  const Dynamics& dyn = robot_.dynamics();
+  out_.com = dyn.com;
+  out_.dcom = dyn.dcom;
   for (const Side side : kSides) {
     const Eigen::Quaterniond q(dyn.sole[side].R_WF);
     out_.foot[side] << dyn.sole[side].p_WF, q.w(), q.x(), q.y(), q.z();
@@ -494,9 +536,25 @@ void WalkingController::note(const Cycle& cycle) {
   if (!out_.tau.allFinite()) {
     out_.fell = Fall::kNonFinite;
     out_.tau.setZero();
-  } else if (const Fall fall = fall_.check(dyn, gait); fall != Fall::kNone) {
+  } else if (const Fall fall = fall_.check(dyn); fall != Fall::kNone) {
     out_.fell = fall;
   }
+}
+
+void WalkingController::crouch() {
+  out_.torque_ratio = crouch_.crouch_torque(robot_.dynamics(), out_.tau);
+  out_.saturated = out_.torque_ratio > 1.0;
+  // Nothing else is decided any more.
+  out_.zmp_des = out_.zmp_ref = out_.zmp_est = out_.zmp_lower = out_.zmp_upper = Vec2::Constant(kNaN);
+  out_.zmp_first = Vec2::Constant(kNaN);
+  out_.zmp_modified.setZero();
+  out_.iterations = 0;
+  out_.com_des = out_.dcom_des = out_.foothold = Vec3::Constant(kNaN);
+  out_.v_plan = out_.v_des = Vec3::Zero();
+  out_.f_c.setConstant(kNaN);
+  out_.w_T = out_.fall_gap = kNaN;
+  out_.damped = out_.at_rest = false;
+  note_body();
 }
 
 }  // namespace zmpwalk

@@ -1,4 +1,4 @@
-"""The command `zmpwalk`: a file for each of walk, view, plot, video, push-map, robustness, sweep, inspect,
+"""The command `zmpwalk`: a file for each of walk, view, plot, video, push-map, robustness, sweep, inspect, humanoid,
 settings, bench, build-adapter.
 
 Exit codes: 0 the robot stood to the end, 3 it fell (everything is written all the same), 2 bad input (one line on
@@ -8,16 +8,20 @@ stderr, nothing written), 130 stopped by Ctrl-C (nothing written), 1 a fault of 
 from __future__ import annotations
 
 import os
+import signal
 import sys
+import threading
 import traceback
+from typing import Any
 
 import click
 import mujoco
 
 from .._build import VERSION
 from ..errors import Error
-from . import bench, build_adapter, inspect, plot, push_map, robustness, settings, sweep, video, view, walk
-from .terminal import FAULT, INTERRUPTED, STOOD, complain
+from ..files import cause
+from . import bench, build_adapter, humanoid, inspect, plot, push_map, robustness, settings, sweep, video, view, walk
+from .terminal import FAULT, INTERRUPTED, STOOD, complain, say_no_more
 
 __all__ = ["cli", "main"]
 
@@ -33,6 +37,21 @@ def main(arguments: list[str] | None = None) -> int:
 
     Usage: `zmpwalk.cli.main(["walk", "--duration", "4"])`
     """
+    ended = _end_by_signals()
+    _say_what_can_be_said()
+    try:
+        code = _run(arguments)
+        sys.stdout.flush()
+    except BrokenPipeError:  # the reader of our output went away after everything was done
+        say_no_more()
+        code = STOOD
+    except OSError as error:
+        say_no_more()
+        code = complain(f"standard output cannot be written: {cause(error)}")
+    return 128 + ended[0] if ended else code
+
+
+def _run(arguments: list[str] | None) -> int:
     try:
         words = sys.argv[1:] if arguments is None else list(arguments)
         return int(cli.main(args=words or ["--help"], prog_name="zmpwalk", standalone_mode=False) or 0)
@@ -45,13 +64,40 @@ def main(arguments: list[str] | None = None) -> int:
         return complain(error.format_message())
     except Error as error:
         return complain(str(error))
-    except BrokenPipeError:  # the reader of our output went away
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return STOOD
+    except OSError as error:
+        if error.filename is None:  # of an output that is no file: see `main`
+            raise
+        return complain(f"{error.filename}: {cause(error)}")
     except Exception:
         traceback.print_exc()
         print("zmpwalk: this is a fault of zmpwalk, please report it with the lines above", file=sys.stderr)
         return FAULT
+
+
+def _end_by_signals() -> list[int]:
+    """SIGTERM and SIGHUP end a command as Ctrl-C does, with nothing left behind. Returns those that came."""
+    came: list[int] = []
+
+    def end(number: int, frame: Any) -> None:
+        came.append(number)
+        raise KeyboardInterrupt
+
+    if threading.current_thread() is threading.main_thread():
+        for name in ("SIGTERM", "SIGHUP"):
+            number = getattr(signal, name, None)
+            if number is not None and signal.getsignal(number) is signal.SIG_DFL:
+                signal.signal(number, end)
+    return came
+
+
+def _say_what_can_be_said() -> None:
+    """A closed output swallows what is said; one that lacks a letter, such as a dash or a mu, gets a ? in its place."""
+    for name in ("stdout", "stderr"):
+        stream = getattr(sys, name)
+        if stream is None:
+            setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: SIM115
+        elif hasattr(stream, "reconfigure"):
+            stream.reconfigure(errors="replace")
 
 
 def _print_version(context: click.Context, parameter: click.Parameter, asked: bool) -> None:
@@ -73,5 +119,5 @@ def cli() -> None:
     """Walk humanoid robots in MuJoCo: give a velocity, get the torques, and know their ZMP beforehand."""
 
 
-for room in (walk, view, plot, video, push_map, robustness, sweep, inspect, settings, bench, build_adapter):
+for room in (walk, view, plot, video, push_map, robustness, sweep, inspect, humanoid, settings, bench, build_adapter):
     cli.add_command(room.command)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 from pathlib import Path
 
@@ -9,6 +10,8 @@ import click
 
 from .. import bench
 from ..errors import InputError
+from ..files import as_input_error, whole
+from .options import PathName
 from .terminal import STOOD, Parts, new_console
 
 __all__ = ["command"]
@@ -24,17 +27,22 @@ __all__ = ["command"]
 @click.option(
     "--part", "parts", multiple=True, help="Measure only this part; may be given several times.  [default: all]"
 )
-@click.option(
-    "--json", "file", type=click.Path(path_type=Path), metavar="FILE", help="Write every number as JSON into FILE."
-)
+@click.option("--json", "file", type=PathName(), metavar="FILE", help="Write every number as JSON into FILE.")
 def command(robot: str, duration: float, parts: tuple[str, ...], file: Path | None) -> int:
     """Measure how fast the controller is on this machine."""
     from rich.table import Table
 
     if file is not None and not file.absolute().parent.is_dir():
         raise InputError(f"'{file.absolute().parent}' is not a folder, {file.name} cannot be written there")
-    with Parts() as parts_done:
-        result = bench.bench(robot, duration, parts or None, parts_done.at)
+    with contextlib.ExitStack() as stack:
+        if file is not None:  # before measuring, it is known that it can be written
+            stack.enter_context(as_input_error(file))
+            draft = stack.enter_context(whole(file))
+            draft.write_text("\n", encoding="utf-8")
+        with Parts() as parts_done:
+            result = bench.bench(robot, duration, parts or None, parts_done.at)
+        if file is not None:
+            draft.write_text(json.dumps(result, indent=2) + "\n", encoding="utf-8")
     console, info = new_console(), result["machine"]
     console.print(
         f"{info['cpu']}, {info['cores']} cores; MuJoCo {info['mujoco']}; kernel {result['build']['kernel']}\n"
@@ -47,6 +55,5 @@ def command(robot: str, duration: float, parts: tuple[str, ...], file: Path | No
             table.add_row(*row)
         console.print(table, "", sep="\n")
     if file is not None:
-        file.write_text(json.dumps(result, indent=2) + "\n", encoding="utf-8")
         console.print(f"written: {file}", soft_wrap=True)
     return STOOD

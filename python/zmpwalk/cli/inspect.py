@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 from pathlib import Path
 from typing import Any
@@ -11,23 +12,24 @@ import click
 from ..errors import InputError, ModelError
 from ..files import as_input_error, whole
 from ..robots import examine, robot_file, write_description
+from .options import PathName, RobotName
 from .terminal import BAD_INPUT, STOOD, complain, new_console, number
 
 __all__ = ["command"]
 
 
 @click.command("inspect")
-@click.argument("model")
+@click.argument("model", type=RobotName())
 @click.option("--json", "as_json", is_flag=True, help="Print what was found as JSON.")
 @click.option(
     "--write",
-    type=click.Path(path_type=Path),
+    type=PathName(),
     metavar="FILE",
     help="Write the description that was found into FILE, a robot.json.",
 )
 @click.option(
     "--figure",
-    type=click.Path(path_type=Path),
+    type=PathName(),
     metavar="FILE",
     help="Draw the robot, its soles and its COM into FILE, a .png, .pdf or .svg.",
 )
@@ -45,10 +47,7 @@ def command(model: str, as_json: bool, write: Path | None, figure: Path | None) 
         for reason in error.reasons:
             complain(reason)
         return BAD_INPUT
-    if write is not None:
-        write_description(write, robot_file(model), proposal)
-    if figure is not None:
-        _draw(figure, loaded, proposal)
+    _deliver(model, loaded, proposal, write, figure)
     if as_json:
         click.echo(json.dumps(proposal.table, indent=2, allow_nan=False))
     else:
@@ -58,12 +57,16 @@ def command(model: str, as_json: bool, write: Path | None, figure: Path | None) 
     return STOOD
 
 
-def _draw(path: Path, model: Any, proposal: Any) -> None:
-    from ..figures.robot import draw  # matplotlib is slow to import
+def _deliver(name: str, model: Any, proposal: Any, description: Path | None, figure: Path | None) -> None:
+    """Writes what was asked for: both files, or none where one of them cannot be written."""
+    with contextlib.ExitStack() as drafts:
+        if figure is not None:
+            from ..figures.robot import draw  # matplotlib is slow to import
 
-    figure = draw(model, proposal)
-    with as_input_error(path), whole(path) as draft:
-        figure.savefig(draft)
+            drafts.enter_context(as_input_error(figure))
+            draw(model, proposal).savefig(drafts.enter_context(whole(figure)))
+        if description is not None:
+            write_description(description, robot_file(name), proposal)
 
 
 def _print_inspection(found: dict[str, Any]) -> None:
@@ -90,8 +93,11 @@ def _print_inspection(found: dict[str, Any]) -> None:
             facts.add_row("  ZMP within", f"x {x0:+.3f} .. {x1:+.3f}, y {y0:+.3f} .. {y1:+.3f} m of its centre")
     share = f"at the stand {100 * found['leg_share']:.0f} % of both"
     facts.add_row("legs", f"thigh {found['thigh_m']:.3f} m, shank {found['shank_m']:.3f} m, {share}")
-    limit = found["speed_limit_mps"]
-    facts.add_row("speed in reach", f"up to {limit:.3f} m/s" if limit is not None else "none: see below")
+    for way, axis in (found["speed_limits"] or {}).items():
+        unit = "rad/s" if way == "turning" else "m/s"
+        facts.add_row(f"{way} up to", f"{axis['most']:.3f} {unit}: {axis['limit']}")
+    if not found["speed_limits"]:
+        facts.add_row("speed", "none: see below")
     facts.add_row(
         "stand pose", (found["stand_keyframe"] and f"keyframe {found['stand_keyframe']}") or "from the description"
     )

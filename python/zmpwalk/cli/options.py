@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import math
+import os
 from pathlib import Path
 from typing import Any, Callable
 
@@ -15,15 +16,67 @@ from ..figures import FORMATS
 from ..settings import load_settings
 
 __all__ = [
+    "PathName",
+    "RobotName",
     "format_option",
     "parse",
     "push_option",
     "robot_option",
     "settings_options",
     "size_of",
+    "terrain_option",
     "unsure",
     "walk_options",
 ]
+
+MOST_BYTES = 255  # of a name in a path
+
+
+def checked_name(text: str) -> str:
+    """A path as it was typed, with a ~ that the shell has left resolved.
+
+    Raises:
+        InputError: it is empty, or no file can be called so.
+    """
+    if not text.strip():
+        raise InputError("the name is empty")
+    try:
+        path = Path(text).expanduser()
+        longest = max((len(os.fsencode(part)) for part in path.parts), default=0)
+    except RuntimeError:
+        raise InputError(f"{text}: there is no such user") from None
+    except ValueError:
+        raise InputError(f"{text!r} is no name of a file") from None
+    if longest > MOST_BYTES or "\0" in text:
+        raise InputError(f"{text[:40]!r}...: no file has a name like this; a name has at most {MOST_BYTES} bytes")
+    return str(path) if text.startswith("~") else text
+
+
+class PathName(click.ParamType):
+    """A path to read or to write, checked before anything is done."""
+
+    name = "path"
+
+    def convert(self, value: Any, parameter: click.Parameter | None, context: click.Context | None) -> Path:
+        if isinstance(value, Path):
+            return value
+        try:
+            return Path(checked_name(value))
+        except InputError as error:
+            self.fail(str(error), parameter, context)
+
+
+class RobotName(click.ParamType):
+    """A robot's name, or a path that is checked as such."""
+
+    name = "text"
+
+    def convert(self, value: Any, parameter: click.Parameter | None, context: click.Context | None) -> str:
+        try:
+            return checked_name(value)
+        except InputError as error:
+            self.fail(str(error), parameter, context)
+
 
 FOOTSTEPS = ("tied", "absolute", "paper", "printed")
 
@@ -40,7 +93,7 @@ def settings_options(command: Callable) -> Callable:
     @click.option(
         "--settings",
         "file",
-        type=click.Path(path_type=Path),
+        type=PathName(),
         help="Read settings from this TOML file; `zmpwalk settings ROBOT` prints one.",
     )
     @click.option(
@@ -75,6 +128,7 @@ format_option = click.option(
 
 robot_option = click.option(
     "--robot",
+    type=RobotName(),
     default="mahru",
     show_default=True,
     help="A robot's name, menagerie:NAME, or a path to a robot.json, an MJCF (.xml, .mjcf) or a .urdf.",
@@ -86,6 +140,13 @@ push_option = click.option(
     multiple=True,
     metavar="T:DURATION:BODY:FX,FY,FZ",
     help="Force [N] on a body from T for DURATION [s]: 3.0:0.08:torso:0,50,0; no BODY is the trunk. Repeatable.",
+)
+
+terrain_option = click.option(
+    "--terrain",
+    metavar="GROUND",
+    help="Ground in place of the floor: flat, slope:DEG[,AZIMUTH], blocks:CM[,SEED], plates:DEG[,SEED], step:CM[,AT], "
+    "stairs:RISExTREAD (cm), waves[:CM], soft:SECONDS. The controller is not told.",
 )
 
 

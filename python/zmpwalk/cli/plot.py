@@ -10,15 +10,15 @@ from ..errors import InputError
 from ..figures import FILES
 from ..files import together
 from ..trace import Trace
-from .options import format_option
+from .options import PathName, format_option
 from .terminal import STOOD
 
 __all__ = ["command"]
 
 
 @click.command("plot")
-@click.argument("traces", type=click.Path(path_type=Path), nargs=-1, required=True, metavar="TRACE...")
-@click.option("--out", type=click.Path(path_type=Path), help="Folder for the figures.  [default: that of the trace]")
+@click.argument("traces", type=PathName(), nargs=-1, required=True, metavar="TRACE...")
+@click.option("--out", type=PathName(), help="Folder for the figures.  [default: that of the trace]")
 @click.option(
     "--figure",
     "figures",

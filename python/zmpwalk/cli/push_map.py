@@ -12,7 +12,7 @@ import click
 from ..files import as_input_error, together
 from ..profiles import profile_of
 from ..pushes import STANCES, push_map
-from .options import format_option, robot_option, settings_options
+from .options import PathName, format_option, robot_option, settings_options
 from .terminal import INTERRUPTED, STOOD, Share, new_console
 
 __all__ = ["command"]
@@ -28,7 +28,7 @@ __all__ = ["command"]
 @click.option("--limit", type=float, default=2.0, show_default=True, help="Largest impulse tried [N s/kg].")
 @click.option("--processes", type=int, help="Trials at a time.  [default: all processors]")
 @settings_options
-@click.option("--out", type=click.Path(path_type=Path), help="Folder to write into.  [default: out/pushes-ROBOT]")
+@click.option("--out", type=PathName(), help="Folder to write into.  [default: out/pushes-ROBOT]")
 @click.option("--json", "as_json", is_flag=True, help="Print the map as JSON, and nothing else, on stdout.")
 @click.option("--no-figures", is_flag=True, help="Write the tables only.")
 @format_option

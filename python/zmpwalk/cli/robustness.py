@@ -10,7 +10,7 @@ import click
 
 from ..files import as_input_error, together
 from ..troubles import robustness
-from .options import format_option, robot_option, settings_options
+from .options import PathName, format_option, robot_option, settings_options
 from .terminal import INTERRUPTED, STOOD, Share, new_console
 
 __all__ = ["command"]
@@ -23,7 +23,7 @@ __all__ = ["command"]
 @click.option("--only", multiple=True, metavar="NAME", help="A trouble, or how its name begins; may be repeated.")
 @click.option("--threads", type=int, help="Walks at a time.  [default: all processors]")
 @settings_options
-@click.option("--out", type=click.Path(path_type=Path), help="Folder to write into.  [default: out/robustness-ROBOT]")
+@click.option("--out", type=PathName(), help="Folder to write into.  [default: out/robustness-ROBOT]")
 @click.option("--no-figures", is_flag=True, help="Write the table only.")
 @format_option
 def command(

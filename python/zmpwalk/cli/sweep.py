@@ -14,15 +14,15 @@ from ..errors import InputError
 from ..files import as_input_error
 from ..settings import read_toml
 from ..sweeps import sweep
-from .options import format_option
+from .options import PathName, format_option
 from .terminal import INTERRUPTED, STOOD, Share, new_console
 
 __all__ = ["command"]
 
 
 @click.command("sweep")
-@click.argument("file", type=click.Path(path_type=Path))
-@click.option("--out", type=click.Path(path_type=Path), help="Folder to write into.  [default: out/FILE's name]")
+@click.argument("file", type=PathName())
+@click.option("--out", type=PathName(), help="Folder to write into.  [default: out/FILE's name]")
 @click.option("--processes", type=int, help="Walks at a time.  [default: all processors]")
 @click.option("--cluster", metavar="ADDRESS", help="Dask scheduler whose workers walk, such as tcp://host:8786.")
 @click.option("--y", multiple=True, metavar="COLUMN", help="What the chart shows; may be repeated.")

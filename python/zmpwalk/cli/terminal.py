@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
+import os
 import sys
 import time
-from typing import Any
+from contextlib import contextmanager, suppress
+from typing import Any, Iterator
 
 __all__ = [
     "BAD_INPUT",
@@ -17,8 +19,10 @@ __all__ = [
     "Progress",
     "Share",
     "complain",
+    "listened",
     "new_console",
     "number",
+    "say_no_more",
 ]
 
 STOOD, FAULT, BAD_INPUT, FELL, INTERRUPTED = 0, 1, 2, 3, 130
@@ -32,6 +36,22 @@ def complain(message: str) -> int:
     """
     print(f"zmpwalk: {' '.join(message.split())}", file=sys.stderr)
     return BAD_INPUT
+
+
+def say_no_more() -> None:
+    """What is still in the buffer of stdout goes nowhere, so that the end of Python says nothing about it."""
+    with suppress(OSError, ValueError):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+@contextmanager
+def listened() -> Iterator[None]:
+    """For what is printed after all is done: a reader who has gone away changes nothing about the exit code."""
+    try:
+        yield
+        sys.stdout.flush()
+    except BrokenPipeError:
+        say_no_more()
 
 
 class Progress:

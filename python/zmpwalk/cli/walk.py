@@ -18,8 +18,8 @@ from ..robots import examine
 from ..simulation import ON_FALL, Outside, WalkingController, check_duration, run
 from ..terrain import load_scene
 from ..trace import Trace
-from .options import format_option, push_option, unsure, walk_options
-from .terminal import FELL, INTERRUPTED, STOOD, Progress, new_console, number
+from .options import PathName, format_option, push_option, terrain_option, unsure, walk_options
+from .terminal import FELL, INTERRUPTED, STOOD, Progress, listened, new_console, number
 
 __all__ = ["command"]
 
@@ -30,7 +30,7 @@ MISMATCH = 0.002  # feet off the planned velocity by this are worth a warning [m
 @walk_options
 @click.option(
     "--motion",
-    type=click.Path(path_type=Path),
+    type=PathName(),
     help="CSV file with angles of arms, waist and trunk over time, headed t,JOINT,...",
 )
 @push_option
@@ -42,12 +42,7 @@ MISMATCH = 0.002  # feet off the planned velocity by this are worth a warning [m
     "may be repeated.",
 )
 @click.option("--simulated", help="The robot that is simulated, where the controller's --robot is not the true one.")
-@click.option(
-    "--terrain",
-    metavar="GROUND",
-    help="Ground in place of the floor: flat, slope:DEG[,AZIMUTH], blocks:CM[,SEED], plates:DEG[,SEED], step:CM[,AT], "
-    "stairs:RISExTREAD (cm), waves[:CM], soft:SECONDS. The controller is not told.",
-)
+@terrain_option
 @click.option("--seed", type=int, default=0, show_default=True, help="Of all that is random.")
 @click.option(
     "--on-fall",
@@ -56,9 +51,7 @@ MISMATCH = 0.002  # feet off the planned velocity by this are worth a warning [m
     show_default=True,
     help="go_on: walk on until the robot lies on the ground, whatever the controller says.",
 )
-@click.option(
-    "--out", type=click.Path(path_type=Path), help="Folder for trace, summary and figures.  [default: out/ROBOT-LAW]"
-)
+@click.option("--out", type=PathName(), help="Folder for trace, summary and figures.  [default: out/ROBOT-LAW]")
 @click.option("--json", "as_json", is_flag=True, help="Print nothing but the summary, as JSON, on stdout.")
 @click.option("--no-figures", is_flag=True, help="Write only trace and summary, which is faster.")
 @format_option
@@ -82,7 +75,7 @@ def command(
     """Walk a robot in MuJoCo, then write trace, summary and figures into a folder."""
     # Everything that can be wrong is found out before anything is written.
     velocity = profile_of(profile)
-    duration = check_duration(duration)
+    check_duration(duration)
     model, found = examine(robot)
     if terrain is not None:
         model, _ = load_scene(robot, terrain)
@@ -91,6 +84,7 @@ def command(
     controller.move(None if motion is None else JointMotion.from_csv(motion))
     outside = Outside.of(controller, seed, push, on_fall, unsure(uncertain), simulated, terrain)
     outside.simulation(controller)
+    duration = check_duration(duration, controller)
     mismatch = controller.plan_mismatch(duration)
     out = out or Path("out") / f"{name}-{settings.law}"
     with together(out) as (draft, deliver):
@@ -115,10 +109,16 @@ def command(
         _remove_stale_figures(out, files)
 
     summary = trace.summary()
-    if as_json:
-        click.echo(json.dumps(summary, indent=2, allow_nan=False))
-    else:
-        _print_summary(summary, out, len(files))
+    with listened():
+        if as_json:
+            click.echo(json.dumps(summary, indent=2, allow_nan=False))
+        else:
+            _print_summary(summary, out, len(files))
+    if summary["foreseen_time"] is not None:
+        print(
+            f"zmpwalk: a fall was foreseen at t = {summary['foreseen_time']:.3f} s: {summary['foreseen_cause']}",
+            file=sys.stderr,
+        )
     if summary["fell"]:
         print(
             f"zmpwalk: fell at t = {summary['fall_time']:.3f} s: {summary['fall_cause'] or 'cause unknown'}",

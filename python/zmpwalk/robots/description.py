@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import reprlib
 from pathlib import Path
 from typing import Any
 
@@ -11,8 +12,9 @@ import mujoco
 import numpy as np
 
 from .._core import Foot, RobotDescription
+from ..checks import is_number
 from ..errors import InputError, ModelError
-from ..files import cause
+from ..files import read_text
 from .polygon import inscribed_rectangle
 
 __all__ = [
@@ -66,14 +68,27 @@ def read_json(path: Path) -> dict[str, Any]:
     Usage: `read_json(Path("robot.json"))["name"]`
     """
     try:
-        plain = json.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise InputError(f"{path}: {cause(error)}") from None
-    except ValueError as error:  # JSON and encoding
+        plain = json.loads(read_text(path, "JSON"))
+    except InputError:
+        raise
+    except ValueError as error:
         raise InputError(f"{path}: not JSON: {error}") from None
+    except RecursionError:
+        raise InputError(f"{path}: not a robot description: it is nested too deep") from None
+    _require_utf8(plain, path)
     if not isinstance(plain, dict):
         raise InputError(f"{path}: a robot description is an object {{...}}, this is a {type(plain).__name__}")
     return plain
+
+
+def _require_utf8(plain: Any, path: Path) -> None:
+    """JSON's escapes can spell halves of a character, which no name of a file, body or joint has."""
+    try:
+        json.dumps(plain, ensure_ascii=False).encode("utf-8")
+    except UnicodeEncodeError:
+        raise InputError(f"{path}: a word in it is no text: it holds half a surrogate pair") from None
+    except ValueError:  # an integer of more digits than Python writes
+        raise InputError(f"{path}: a number in it has thousands of digits") from None
 
 
 def model_file(plain: dict[str, Any], path: Path) -> Path:
@@ -101,46 +116,55 @@ class _Reader:
             if default is None:
                 raise InputError(f"{self.source}: key '{self.prefix}{key}' is missing: {what}")
             return default
-        if not isinstance(self.plain[key], kind):
-            raise InputError(f"{self.source}: key '{self.prefix}{key}' is {self.plain[key]!r}; it must be {what}")
+        given = self.plain[key]
+        if not isinstance(given, kind) or (isinstance(given, bool) and kind is not bool):
+            raise InputError(
+                f"{self.source}: key '{self.prefix}{key}' is {reprlib.repr(self.plain[key])}; it must be {what}"
+            )
         return self.plain[key]
 
     def numbers(self, key: str, count: int, what: str, default: Any = None) -> np.ndarray:
         raw = self.value(key, (list, tuple), what, default)
-        try:
-            array = np.asarray(raw, float)
-        except (TypeError, ValueError):
-            array = np.empty(0)
+        array = self._array(raw)
         if array.shape != (count,) or not np.isfinite(array).all():
-            raise InputError(f"{self.source}: key '{self.prefix}{key}' is {raw!r}; it must be {what}")
+            raise InputError(f"{self.source}: key '{self.prefix}{key}' is {reprlib.repr(raw)}; it must be {what}")
         return array
+
+    @staticmethod
+    def _array(raw: Any) -> np.ndarray:
+        """What is no array of numbers is empty."""
+        try:
+            good = all(map(is_number, np.asarray(raw, object).ravel()))
+            return np.asarray(raw, float) if good else np.empty(0)
+        except (OverflowError, TypeError, ValueError):
+            return np.empty(0)
 
     def table(self, key: str, what: str, default: Any = None) -> dict[str, float]:
         numbers = self.value(key, dict, what, default)
         for name, number in numbers.items():
-            if isinstance(number, bool) or not isinstance(number, (int, float)) or not np.isfinite(number):
-                raise InputError(f"{self.source}: key '{key}.{name}' is {number!r}; it must be a number: {what}")
+            if not is_number(number):
+                raise InputError(
+                    f"{self.source}: key '{key}.{name}' is {reprlib.repr(number)}; it must be a number: {what}"
+                )
         return {name: float(number) for name, number in numbers.items()}
 
     def inside_polygon(self, key: str) -> tuple[np.ndarray, np.ndarray]:
         """x and y ranges of the sole's rectangle inside a convex polygon."""
         what = "three or more corners [x, y] of the sole in the foot's body [m] that span an area"
         raw = self.value(key, (list, tuple), what)
-        try:
-            corners = np.asarray(raw, float)
-        except (TypeError, ValueError):
-            corners = np.empty(0)
+        corners = self._array(raw)
         good = corners.ndim == 2 and corners.shape[0] >= 3 and corners.shape[1] == 2 and np.isfinite(corners).all()
         ends = np.array(inscribed_rectangle(corners) if good else np.zeros(4))
         if not (ends[1] > ends[0] and ends[3] > ends[2]):
-            raise InputError(f"{self.source}: key '{self.prefix}{key}' is {raw!r}; it must be {what}")
+            raise InputError(f"{self.source}: key '{self.prefix}{key}' is {reprlib.repr(raw)}; it must be {what}")
         return ends[:2], ends[2:]
 
     def length(self, key: str) -> float:
         number = self.value(key, (int, float), "a length [m], more than 0")
-        if not number > 0:
+        if not (is_number(number) and number > 0):
+            shown = reprlib.repr(number)
             raise InputError(
-                f"{self.source}: key '{self.prefix}{key}' is {number!r}; it must be a length [m], more than 0"
+                f"{self.source}: key '{self.prefix}{key}' is {shown}; it must be a length [m], more than 0"
             )
         return float(number)
 
@@ -199,6 +223,8 @@ def _foot(plain: dict[str, Any], source: str, side: str) -> Foot:
             z = reader.value(
                 "sole_z", (int, float), "the sole plane's height in the foot's body [m] (or give sole_center)"
             )
+            if not is_number(z):
+                raise InputError(f"{source}: key '{side}.sole_z' is {z!r}; it must be a number [m]")
             centre = np.array([x.mean(), y.mean(), float(z)])
     return Foot(
         body=reader.value("foot_body", str, "the name of the foot's body"),

@@ -9,11 +9,12 @@ from typing import Any, Tuple, Union
 import mujoco
 
 from .._core import RobotDescription
-from ..errors import InputError, ModelError
+from ..errors import Error, InputError
 from .description import description_from_dict, model_file, read_description, read_json, renamed
 from .menagerie import PREFIX, menagerie_file
 from .proposal import Proposal, appraise, describe, propose
-from .urdf import read_urdf
+from .robot_descriptions import DESCRIPTIONS_PREFIX, described_file
+from .source import remember, source_of
 
 __all__ = ["ROBOTS", "Robot", "available_robots", "examine", "load_robot", "read_robot", "robot_file"]
 
@@ -49,6 +50,7 @@ def load_robot(robot: Robot) -> tuple[mujoco.MjModel, RobotDescription]:
             - a path to a `robot.json` (or the folder that holds one): its "scene" is loaded, or its "model" where it
               has no scene;
             - "menagerie:NAME", a robot of MuJoCo Menagerie (see `zmpwalk.robots.menagerie`);
+            - "robot_descriptions:NAME", a robot of the package robot_descriptions;
             - a path to an MJCF (`.xml`, `.mjcf`) or a `.urdf`, or an `MjModel`, in which `describe` finds a robot;
             - a pair (path of a model or `MjModel`, `RobotDescription` or `robot.json` path or None).
 
@@ -118,8 +120,9 @@ def read_robot(robot: Robot) -> tuple[mujoco.MjModel, RobotDescription | None, s
             plain = read_json(path)
             description = description or description_from_dict(plain, str(path))
             path = model_file(plain, path)
-        name = str(robot)[len(PREFIX) :].partition("/")[0] if str(robot).startswith(PREFIX) else path.stem
-        model = _load_xml(path)
+        name = _name_of(str(robot), path)
+        model = _read(path)
+        remember(model, source_of(path))
     else:
         raise InputError(
             f"a robot is a name, a path, a model or a pair (model, description), not {type(robot).__name__}"
@@ -141,12 +144,29 @@ def robot_file(robot: str | os.PathLike) -> Path:
     return model_file(read_json(path), path)
 
 
+def _name_of(robot: str, path: Path) -> str:
+    """What the robot at `path`, given as `robot`, is called."""
+    collection, _, name = robot.partition(":")
+    return name.partition("/")[0] if f"{collection}:" in (PREFIX, DESCRIPTIONS_PREFIX) else path.stem
+
+
 def _find(robot: str | os.PathLike) -> Path:
+    try:
+        return _look_for(robot)
+    except Error:
+        raise
+    except (OSError, RuntimeError, ValueError) as error:  # too long, no such user, no name at all
+        raise InputError(f"{str(robot)[:60]!r} is no robot's name and no path of a file ({error})") from None
+
+
+def _look_for(robot: str | os.PathLike) -> Path:
     bundled = _bundled()
     if robot in bundled:
         return bundled[str(robot)]
     if str(robot).startswith(PREFIX):
         return menagerie_file(str(robot))
+    if str(robot).startswith(DESCRIPTIONS_PREFIX):
+        return described_file(str(robot))
     path = Path(robot).expanduser()
     if path.is_dir() and (path / "robot.json").is_file():
         return path / "robot.json"
@@ -162,18 +182,19 @@ def _find(robot: str | os.PathLike) -> Path:
     )
 
 
+def _read(path: Path) -> mujoco.MjModel:
+    from .mjcf import read_model  # what reads XML is slow to import
+
+    return read_model(path)
+
+
+def _from_urdf(path: Path) -> tuple[mujoco.MjModel, list[str]]:
+    from .urdf import read_urdf  # what reads XML is slow to import
+
+    return read_urdf(path)
+
+
 def _said_of_urdf(robot: Robot) -> list[str]:
     """What was added to a URDF so that it can walk."""
     is_path = isinstance(robot, (str, os.PathLike)) and Path(robot).suffix.lower() == ".urdf"
-    return read_urdf(Path(robot).expanduser())[1] if is_path else []  # type: ignore[arg-type]
-
-
-def _load_xml(path: Path) -> mujoco.MjModel:
-    if not path.is_file():
-        raise InputError(f"{path}: no such file")
-    if path.suffix.lower() == ".urdf":
-        return read_urdf(path)[0]
-    try:
-        return mujoco.MjModel.from_xml_path(str(path))
-    except Exception as error:  # MuJoCo raises ValueError, or its own FatalError
-        raise ModelError(f"{path}: MuJoCo cannot load it: {' '.join(str(error).split())}") from None
+    return _from_urdf(Path(robot).expanduser())[1] if is_path else []  # type: ignore[arg-type]

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
-
-import mujoco
 
 from ..errors import InputError
 
@@ -26,16 +23,12 @@ def menagerie_file(robot: str) -> Path:
 
     Usage: `menagerie_file("menagerie:unitree_g1/scene")`
     """
-    if sys.version_info < (3, 11):
-        raise InputError(
-            f"{robot}: MuJoCo Menagerie needs MuJoCo 3.2 or later, which zmpwalk has under Python 3.11 or later; "
-            f"this is MuJoCo {mujoco.__version__}"
-        )
     try:
         import mujoco_menagerie
     except ImportError:
         raise InputError(
-            f'{robot}: the package mujoco-menagerie is not installed: pip install "zmpwalk[robots]"'
+            f"{robot}: the package mujoco-menagerie is not installed: pip install mujoco-menagerie "
+            "(it needs Python 3.10.12 and MuJoCo 3.2 or later)"
         ) from None
     name, _, entry = robot[len(PREFIX) :].partition("/")
     try:

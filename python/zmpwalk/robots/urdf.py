@@ -10,7 +10,7 @@ import mujoco
 
 from ..errors import ModelError
 
-__all__ = ["read_urdf"]
+__all__ = ["mesh_file", "read_urdf"]
 
 
 def read_urdf(path: Path) -> tuple[mujoco.MjModel, list[str]]:
@@ -89,23 +89,36 @@ def _free(robot: ET.Element, path: Path) -> list[str]:
 
 def _find_meshes(robot: ET.Element, path: Path) -> None:
     """Replace the names of mesh files by absolute paths, and have MuJoCo take them as they are."""
+    found = {name: mesh_file(name, path, robot) for name in (mesh.get("filename", "") for mesh in robot.iter("mesh"))}
     own = robot.find("mujoco")
     own = ET.SubElement(robot, "mujoco") if own is None else own
     compiler = own.find("compiler")
     compiler = ET.SubElement(own, "compiler") if compiler is None else compiler
-    meshes = Path(path.parent, compiler.attrib.pop("meshdir", ""))
+    folder = Path(path.parent, compiler.attrib.pop("meshdir", ""))
     compiler.set("strippath", "false")
     compiler.attrib.setdefault("balanceinertia", "true")
     for mesh in robot.iter("mesh"):
         name = mesh.get("filename", "")
-        _, is_package, inside = name.partition("package://")
-        plain = inside if is_package else name.partition("file://")[2] or name
-        places = [meshes, path.parent, *path.resolve().parents]
-        tails = [plain, *([plain.partition("/")[2]] if is_package else []), Path(plain).name]
-        found = next((p for tail in tails for p in (place / tail for place in places) if p.is_file()), None)
-        if found is None:
-            raise ModelError(f"{path}: the mesh '{name}' was not found; it was looked for in {places[0]} and above")
-        mesh.set("filename", found.resolve().as_posix())
+        file = found[name]
+        if file is None:
+            raise ModelError(f"{path}: the mesh '{name}' was not found; it was looked for in {folder} and above")
+        mesh.set("filename", file.resolve().as_posix())
+
+
+def mesh_file(name: str, path: Path, robot: ET.Element) -> Path | None:
+    """The file of a mesh of the URDF `robot` at `path`; None where it is not found.
+
+    It is looked for in the compiler's mesh folder, beside the URDF and in the folders above.
+
+    Usage: `mesh_file("package://robot/meshes/foot.stl", path, robot)`
+    """
+    compiler = robot.find("mujoco/compiler")
+    folder = Path(path.parent, compiler.get("meshdir", "") if compiler is not None else "")
+    _, is_package, inside = name.partition("package://")
+    plain = inside if is_package else name.partition("file://")[2] or name
+    places = [folder, path.parent, *path.resolve().parents]
+    tails = [plain, *([plain.partition("/")[2]] if is_package else []), Path(plain).name]
+    return next((p for tail in tails for p in (place / tail for place in places) if p.is_file()), None)
 
 
 def _complete(mjcf: ET.Element, robot: ET.Element) -> list[str]:

@@ -86,6 +86,9 @@ struct LandingRoom {
 /// `foot_clearance` allow.
 class FootstepPlanner {
  public:
+  /// After a push, a step may be this times the planned one where the plan goes as far as the leg is said to reach.
+  static constexpr double kLonger = 1.15;
+
   /// @param settings resolved   @param plan planned velocity; it must outlive the planner   @param sole size that both soles are taken to have
   FootstepPlanner(const WalkSettings& settings, const VelocityProfile& plan, const SoleSize& sole);
 

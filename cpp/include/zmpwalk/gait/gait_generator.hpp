@@ -55,13 +55,14 @@ struct GaitOutput {
   double heading = 0.0;          ///< heading of the frame H: that of the path in W [rad]
   Vec2 ahead = Vec2::UnitX();    ///< x axis of H in W
   Vec3 v_plan = Vec3::Zero();    ///< planned velocity (v_x, v_y, w_z) in H
+  Vec2 ahead_M = Vec2::UnitX();  ///< x axis of M in W, which is H in the middle of the support foot's stance
   ZmpBounds
       room;  ///< bounds of the ZMP now, in S: those of the support sole; in double support sideways also all that lies between the feet
-  ForwardOrbit orbit;            ///< orbit at the planned velocity
-  double orbit_middle = 0.0;     ///< where the middle of the orbit is, from `origin` along the x axis of H [m]
+  ForwardOrbit orbit;            ///< orbit at the planned velocity, along the x axis of M
+  double orbit_middle = 0.0;     ///< where the middle of the orbit is, from `origin` along the x axis of M [m]
   double dv_capture = 0.0;       ///< speed to add to the orbit's, so that the next step can catch the DCM [m/s]
   double orbit_ahead = 0.0;      ///< how far the orbit has the COM ahead of a motion with constant velocity now [m]
-  double zmp_lateral = 0.0;      ///< reference ZMP, from `origin` along the y axis of H [m]
+  double zmp_lateral = 0.0;      ///< reference ZMP, from `origin` along the y axis of M [m]
   Vec2 zmp_rest = Vec2::Zero();  ///< reference ZMP of a robot at rest, W [m]
   double w_T = kNaN;             ///< w(T) of eq. 18, H, in double support before the switch [m/s]; else NaN
   double urgency =
@@ -75,8 +76,8 @@ struct GaitOutput {
 
 /// Reference ZMP of the smooth law for the COM state `com`, `dcom`, W (2,) [m].
 ///
-/// Along the x axis of H (the path) it is the ZMP that gives the pendulum the acceleration that `tracker` asks for; along the y axis it is that of the
-/// lateral motion. For a robot at rest it is the ZMP that keeps the COM over the middle between the feet.
+/// Along the x axis of M (the path in the middle of the stance) it is the ZMP that gives the pendulum the acceleration that `tracker` asks for; along the
+/// y axis it is that of the lateral motion. For a robot at rest it is the ZMP that keeps the COM over the middle between the feet.
 Vec2 reference_zmp(const GaitOutput& gait, const LinearInvertedPendulum& pendulum, const VelocityTracker& tracker,
                    const Vec2& com, const Vec2& dcom);
 
@@ -154,12 +155,16 @@ class GaitGenerator {
   /// Over the support foot. The ZMP may roll as far as the sole goes on its longer side; `end`: as it does at the end of a stance.
   void take_orbit(ForwardOrbit& orbit, const ZmpBounds& sole, double v, double period, bool end = false) const;
   void capture(const GaitInput& in, double time);
-  /// How much further ahead than planned the next foot has to land, so that the orbit over it begins with the DCM that the COM will have [m].
-  double ahead_of_plan(const GaitInput& in) const;
+  double planned_lead() const;  ///< of the next foot from the support foot, along the next foot's M [m]
+  /// How much further ahead than `planned` the next foot has to land, so that the orbit over it begins with the DCM that the COM will have [m].
+  double ahead_of_plan(const GaitInput& in, const Vec2& planned) const;
   double stretch(const GaitInput& in);
   /// True in double support while the foot that has just landed does not carry the ZMP yet.
   bool before_switch() const { return out_.phase.phase == Phase::kDoubleSupport && lateral_.awaits_switch(); }
-  double across(const Vec3& p) const { return (p.head<2>() - out_.origin).dot(left_of(out_.ahead)); }
+  /// On a curved path: the axes and the forward speeds of this stance and the next.
+  void turn(const GaitInput& in, double since_middle);
+  /// Forward speed along M of a stance of the foot `side`, at whose end H has turned by `angle` from M [m/s].
+  double speed_in_M(const Vec3& v, Side side, double angle, double period) const;
   bool can_stand(const GaitInput& in) const;  // true where the feet are side by side and the DCM is inside their bounds
 
   WalkSettings settings_;
@@ -192,6 +197,12 @@ class GaitGenerator {
   // Velocity and DCM that the COM will have in the middle of the next double support, the DCM from the support foot along the heading [m/s, m]. And
   // those with which the orbit over the next foot begins at that time, its DCM from that foot.
   double v_next_ = 0.0, xi_next_ = 0.0, v_start_ = 0.0, xi_start_ = 0.0;
+  Vec2 ahead_next_ = Vec2::UnitX();  // x axis of the next foot's M, W
+  double heading_M_ = 0.0;           // of M [rad]
+  double turn_ = 0.0,
+         next_turn_ = 0.0;         // of the path from the middle of this stance to its end, and of the next one [rad]
+  double xi_sideways_ = 0.0;       // what the DCM along M then adds to minus that along the next M's y [m]
+  double zmp_lateral_ = 0.0;       // `zmp_lateral` of the cycle before [m]
   Began began_ = Began::kNothing;  // what began with this cycle
   enum class Swing {
     kLifting,   // the foot has not been felt off the ground yet

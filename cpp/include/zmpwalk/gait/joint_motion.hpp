@@ -80,6 +80,7 @@ class MotionReference {
   std::vector<int> entry_;
   std::vector<Motion1> difference_;  // at the start (n,)
   double t_ = 0.0, t_start_ = 0.0, blend_ = 0.0;
+  bool rests_ = false;  // nothing moves any more
 };
 
 }  // namespace zmpwalk

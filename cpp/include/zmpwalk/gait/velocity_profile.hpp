@@ -64,6 +64,8 @@ class VelocityProfile {
   const std::vector<double>& t() const { return t_; }
   const std::vector<Vec3>& v() const { return v_; }  ///< at the knots, after a jump
   Interpolation interpolation() const { return interpolation_; }
+  /// Whether w_z is other than 0 anywhere from `from` to the time `t1` [s].
+  bool turns(const Moment& from, double t1) const;
 
  private:
   VelocityProfile() = default;
@@ -78,7 +80,6 @@ class VelocityProfile {
     return v_[i][axis] + s * (end_[i][axis] - v_[i][axis]);
   }
   Vec3 integral(double t) const { return at(t).integral; }
-  bool turns(const Moment& from, double t1) const;
   /// Appends a segment from (t, v), linear to `end` at t + length.
   void append(double t, const Vec3& v, const Vec3& end, double length);
   void follow(double t, double length, const Vec3& from, const Vec3& to, const VelocityLimits& limits, Vec3& v,

@@ -35,6 +35,8 @@ struct ModelError : Error {
 void require_size(const char* name, long got, long want);
 /// Throws DimensionError unless a matrix is (rows, cols).
 void require_shape(const char* name, long rows, long cols, long want_rows, long want_cols);
+/// A number for a message; one of hundreds of digits is shortened.
+std::string text_of(double value);
 /// Throws InputError unless `value` is finite.
 void require_finite(const char* name, double value);
 /// Throws InputError unless `value` is finite and > 0.

@@ -32,6 +32,7 @@ struct WalkSettings {
   ControlSettings control;
   LimitsSettings limits;
   ObserverSettings observer;
+  CommandSettings command;
   FallSettings fall;
 };
 
@@ -39,7 +40,7 @@ struct WalkSettings {
 template <class Settings, class Visitor>
 void visit_groups(Settings& s, Visitor&& v) {
   v(s.gait), v(s.steps), v(s.swing), v(s.com), v(s.zmp), v(s.tracking), v(s.rate), v(s.trunk), v(s.posture), v(s.arms),
-      v(s.contact), v(s.control), v(s.limits), v(s.observer), v(s.fall);
+      v(s.contact), v(s.control), v(s.limits), v(s.observer), v(s.command), v(s.fall);
 }
 
 /// Calls `v(member, row)` for every setting of a group.

@@ -322,7 +322,7 @@ struct RateSettings {
       "How fast the planned velocity may change, whatever a profile or command asks for at once.";
 
   bool limit = true;
-  double forward_jump = kNaN, sideways_jump = kNaN, turning_jump = kNaN;
+  double forward_jump = kNaN, sideways_jump = 0.0, turning_jump = kNaN;
   double forward_acceleration = kNaN, forward_deceleration = kNaN;
   double sideways_acceleration = kNaN, turning_acceleration = kNaN;
 
@@ -334,7 +334,7 @@ struct RateSettings {
     v(g.forward_jump, "forward_jump", "forward_jump", "m/s", must_be::kNotNegative, {0.036, of::kFroudeSpeed},
       "Change of the forward velocity v_x that is taken up at once. A larger one follows at forward_acceleration or "
       "forward_deceleration.");
-    v(g.sideways_jump, "sideways_jump", "sideways_jump", "m/s", must_be::kNotNegative, {0.03, of::kFroudeSpeed},
+    v(g.sideways_jump, "sideways_jump", "sideways_jump", "m/s", must_be::kNotNegative, {},
       "Change of the sideways velocity v_y that is taken up at once. A larger one follows at sideways_acceleration.");
     v(g.turning_jump, "turning_jump", "turning_jump", "rad/s", must_be::kNotNegative, {0.07, of::kPerTimeConstant},
       "Change of the turning velocity w_z that is taken up at once. A larger one follows at turning_acceleration.");
@@ -545,11 +545,31 @@ struct ObserverSettings {
   }
 };
 
+struct CommandSettings {
+  static constexpr const char* kGroup = "command";
+  static constexpr const char* kMeaning = "Which velocities may be commanded.";
+
+  bool limit = true;
+  double share = 1.0;
+
+  template <class Self, class Visitor>
+  static void rows(Self& g, Visitor&& v) {
+    v(g.limit, "limit", "command_limit", "", must_be::kAnything, {},
+      "Whether commands and profiles are kept within what the torques of the legs and the friction under the soles "
+      "give. With false only the reach of the legs limits them.");
+    v(g.share, "share", "command_share", "", must_be::kPositive, {},
+      "Share of those torques and that friction that a commanded velocity may use. More than 1 allows faster walks, "
+      "which cut torques and slide.");
+  }
+};
+
 struct FallSettings {
   static constexpr const char* kGroup = "fall";
-  static constexpr const char* kMeaning = "What counts as a fall, which ends the run.";
+  static constexpr const char* kMeaning = "What counts as a fall, when one is foreseen, and what the robot does then.";
 
-  double height = 0.8, tilt = 0.8, foot_tilt = 0.3;
+  double height = 0.8, tilt = 0.8, foot_tilt = 0.45;
+  bool foresee = true, crouch = true;
+  double margin = kNaN, confirm_time = kNaN;
 
   template <class Self, class Visitor>
   static void rows(Self& g, Visitor&& v) {
@@ -559,7 +579,19 @@ struct FallSettings {
     v(g.tilt, "tilt", "fall_tilt", "rad", must_be::kPositive, {},
       "The robot has fallen where its trunk tilts by more than this.");
     v(g.foot_tilt, "foot_tilt", "fall_foot_tilt", "rad", must_be::kPositive, {},
-      "The robot has fallen where the only foot that stands tilts by more than this, as it tips over its edge.");
+      "A fall is foreseen where the only foot that stands tilts by more than this, as it tips over its edge.");
+    v(g.foresee, "foresee", "fall_foresee", "", must_be::kAnything, {},
+      "Whether a fall is foreseen: it is certain once no foothold within reach, and no time of landing, can catch the "
+      "DCM (COM + T_c times its velocity) any more.");
+    v(g.crouch, "crouch", "fall_crouch", "", must_be::kAnything, {},
+      "Whether the robot crouches once a fall is foreseen: the legs bend and every joint is damped, until the walk is "
+      "started anew. With false it walks on as if nothing were foreseen.");
+    v(g.margin, "margin", "fall_margin", "m", must_be::kNotNegative, {0.03, of::kComHeight},
+      "How far the DCM must be beyond what any foothold within reach can catch before the fall counts as certain. "
+      "Trunk, arms and what the pendulum does not know may bring back that much.");
+    v(g.confirm_time, "confirm_time", "fall_confirm_time", "s", must_be::kNotNegative, {0.04, of::kTimeConstant},
+      "How long the DCM must be that far off without a break before the fall counts as certain: a noisy measurement "
+      "alone fells nobody.");
   }
 };
 

@@ -12,7 +12,7 @@ class ControlClock {
   void reset(double time);
   /// @throws InputError  reset was never called
   void require_started() const;
-  /// @throws InputError  a time that is not finite, or that lies before the last one. Changes nothing.
+  /// @throws InputError  a time that is not finite, lies before the last one, or long after it. Changes nothing.
   void require(double time) const;
   /// True where a control period has gone by since the last cycle.
   bool due(double time) const;

@@ -11,9 +11,25 @@
 
 namespace zmpwalk {
 
-/// Why a walk ended.
-enum class Fall : int { kNone = 0, kHeight, kTilt, kFootTipped, kNonFinite, kNoContact, kDown };
+/// Why a walk ended, or why it is foreseen to end.
+enum class Fall : int { kNone = 0, kHeight, kTilt, kFootTipped, kNonFinite, kNoContact, kDown, kLost, kFootSpun };
 std::string to_string(Fall fall);
+
+/// What keeps a commanded velocity down.
+enum class SpeedLimit : int { kNone = 0, kReach, kHip, kKnee, kYawFriction, kFriction };
+std::string to_string(SpeedLimit limit);
+
+/// A fall that is foreseen: since when, why, and how far the DCM was then beyond what any foothold within reach can catch.
+struct ForeseenFall {
+  Fall cause = Fall::kNone;
+  double time = kNaN;  ///< [s]
+  double gap = kNaN;   ///< [m]
+  double turn = 0.0;   ///< by which the standing foot had turned on the ground since it landed [rad]
+  double tip = 0.0;    ///< by which it had tipped [rad]
+  explicit operator bool() const { return cause != Fall::kNone; }
+};
+/// One sentence; empty where no fall is foreseen.
+std::string to_string(const ForeseenFall& fall);
 
 /// Everything that one cycle decided. Every number that a figure shows is here.
 ///
@@ -44,6 +60,9 @@ struct CycleOutput {
   double torque_ratio = 0.0;
   bool saturated = false, damped = false;
   ActiveLimits limits;
+  SpeedLimit command_limit = SpeedLimit::kNone;
+  double fall_gap = kNaN;
+  ForeseenFall foreseen;
   Fall fell = Fall::kNone;
   bool fresh = false;  ///< This call computed the torque. It is no column: only fresh cycles are recorded.
 };
@@ -91,6 +110,10 @@ void visit_columns(Visitor&& v) {
     "Direction in which the path leads, as an angle from the world's x axis.");
   v("command", &Out::command, kPlanar, "m/s, rad/s", "H",
     "Live velocity command that is in force; it is NaN while the velocity profile leads.");
+  v(
+      "command_limit", [](const Out& out) { return static_cast<int>(out.command_limit); }, kOne, "", "",
+      "What keeps the live command down: 0 nothing, 1 the reach of the legs, 2 torque of a hip, 3 of a knee, 4 "
+      "friction against turning on the sole, 5 friction against sliding.");
   v("v_plan", &Out::v_plan, kPlanar, "m/s, rad/s", "H",
     "Planned velocity: that of the command or the profile, changed no faster than the steps can follow.");
   v("v_des", &Out::v_des, kPlanar, "m/s, rad/s", "H",
@@ -176,6 +199,13 @@ void visit_columns(Visitor&& v) {
   v("joint_margin", &After::joint_margin, kOne, "rad or m", "",
     "Distance from its limit of the joint that is nearest to one, after this torque acted; it is infinite without "
     "limits.");
+  v("fall_gap", &Out::fall_gap, kOne, "m", "",
+    "How far the DCM (COM + T_c times its velocity) is beyond what any foothold within reach can catch; it is 0 where "
+    "one "
+    "can, and NaN where falls are not foreseen.");
+  v(
+      "fall_foreseen", [](const Out& out) { return static_cast<bool>(out.foreseen); }, kOne, "", "",
+      "Whether a fall is foreseen; it stays so until the walk is started anew.");
   v(
       "fell", [](const Out& out) { return out.fell != Fall::kNone; }, kOne, "", "",
       "Whether the robot has fallen, which ends the walk.");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <string>
 
@@ -21,8 +22,11 @@
 #include "zmpwalk/walk/body_motion.hpp"
 #include "zmpwalk/walk/com_height.hpp"
 #include "zmpwalk/walk/com_reference.hpp"
+#include "zmpwalk/walk/command_limit.hpp"
 #include "zmpwalk/walk/control_clock.hpp"
 #include "zmpwalk/walk/cycle.hpp"
+#include "zmpwalk/walk/damped_crouch.hpp"
+#include "zmpwalk/walk/fall_prediction.hpp"
 #include "zmpwalk/walk/fall_watch.hpp"
 #include "zmpwalk/walk/felt_ground.hpp"
 #include "zmpwalk/walk/leg_reach.hpp"
@@ -47,7 +51,7 @@ enum class Terms {
 class WalkingController {
  public:
   /// @param model what the controller believes about the robot, which may differ from the robot that it walks; it must outlive the controller
-  /// @throws ModelError  the robot cannot walk. InputError  a setting breaks its rule, or the profile is faster than the legs reach
+  /// @throws ModelError  the robot cannot walk. InputError  a setting breaks its rule, or the profile is faster than reach, torques or friction allow
   WalkingController(const Model& model, const RobotDescription& description,
                     const WalkSettings& settings = WalkSettings(),
                     const VelocityProfile& profile = VelocityProfile::paper());
@@ -75,8 +79,8 @@ class WalkingController {
 
   /// Commands a velocity: from the next cycle on the robot walks with it instead of the profile's, until `reset`.
   ///
-  /// It may be called from any thread, also while another one calls `update`. A velocity that the legs cannot reach is scaled down
-  /// (`reach().within`), and the robot takes it up no faster than `forward_acceleration` and the other settings of the group `rate` allow.
+  /// It may be called from any thread, also while another one calls `update`. A velocity that reach, torques or friction do not allow is scaled down
+  /// (`command_limit().within`), and the robot takes it up no faster than `forward_acceleration` and the other settings of the group `rate` allow.
   /// @param velocity (v_x, v_y, w_z) in the heading frame H [m/s, m/s, rad/s]. @throws InputError  it is not finite
   void command(const Vec3& velocity);
 
@@ -115,9 +119,10 @@ class WalkingController {
   const LimitKeeper& limits() const { return limits_; }
   const VelocityProfile& profile() const { return profile_; }
   const Robot& robot() const { return robot_; }
-  const LegReach& reach() const { return reach_; }       ///< says which velocities the legs can walk
-  double com_height() const { return height_.z_c(); }    ///< z_c over the soles [m]
-  double Tc() const { return height_.pendulum().Tc(); }  ///< time constant of the pendulum [s]
+  const LegReach& reach() const { return reach_; }                      ///< says which velocities the legs can walk
+  const CommandLimit& command_limit() const { return command_limit_; }  ///< says which velocities may be commanded
+  double com_height() const { return height_.z_c(); }                   ///< z_c over the soles [m]
+  double Tc() const { return height_.pendulum().Tc(); }                 ///< time constant of the pendulum [s]
   /// Bounds of the ZMP, in the sole's axes about its centre.
   const ZmpBounds& bounds(Side side) const { return bounds_[side]; }
 
@@ -135,7 +140,8 @@ class WalkingController {
   void require_startable() const;
   double start_excursion(double scale) const;  // of the COM from the first stance foot, for the plan times `scale` [m]
   void require_external(const std::vector<ExternalWrench>& external) const;
-  void start();                               // a walk begins with the dynamics of this instant
+  void start();  // a walk begins with the dynamics of this instant
+  double elapsed(double time) const { return clock_.cycles() ? time - out_.t : clock_.since_start(time); }
   void feel(const MeasuredContact& contact);  // where the state does not know better
   bool believe();  // puts the attitude that is believed into state_; false where it is the measured one
   void cycle(const State& state);
@@ -150,6 +156,8 @@ class WalkingController {
   void limit_torque(const GaitOutput& gait);
   void cut_torque(const GaitOutput& gait);
   void note(const Cycle& cycle);  // into the output
+  void note_body();               // what is measured, and whether the robot has fallen
+  void crouch();                  // the cycle of a robot that cannot keep from falling
 
   Robot robot_;
   VelocityProfile profile_;
@@ -160,6 +168,7 @@ class WalkingController {
   FeltGround ground_;
   GaitGenerator gait_;
   LegReach reach_;
+  CommandLimit command_limit_;
   VelocityTracker tracker_;
   ComReference reference_;
   BodyMotion body_;
@@ -168,11 +177,14 @@ class WalkingController {
   LimitKeeper limits_;
   ZmpEstimator estimator_;
   TaskStack added_;  // by the user
+  FallPrediction foresight_;
+  DampedCrouch crouch_;
   FallWatch fall_;
   DisturbanceObserver observer_;
   AttitudeObserver attitude_;
   ControlClock clock_;
   Mailbox mailbox_;
+  std::atomic<SpeedLimit> bites_{SpeedLimit::kNone};  // into what is in the mailbox
 
   // The walk's own tasks but for the COM's x and y, each with its reference and gains.
   ComTask com_task_;

@@ -9,6 +9,32 @@
 #include "zmpwalk/robot/words.hpp"
 
 namespace zmpwalk {
+namespace {
+
+/// Of the quaternions and lengths in a description. Larger or other numbers are mistakes, with which sums overflow.
+constexpr double kFarthest = 1e3;      // from the origin [m], and of an angle [rad]
+constexpr double kLargestSole = 10.0;  // [m]
+
+bool is_unit(const Eigen::Vector4d& quaternion) { return std::abs(quaternion.norm() - 1.0) < 1e-3; }
+
+template <class Vector>
+bool is_near(const Vector& position, double most) {
+  return position.allFinite() && position.cwiseAbs().maxCoeff() <= most;
+}
+
+void add_foot(const Foot& foot, Reasons& out) {
+  if (!is_unit(foot.sole_quat))
+    out.push_back({"sole", "the sole of '" + foot.body + "' has no unit quaternion (w, x, y, z), but one of length " +
+                               number(foot.sole_quat.norm())});
+  if (!is_near(foot.sole_pos, kLargestSole) || !(foot.length > 0.0 && foot.length <= kLargestSole) ||
+      !(foot.width > 0.0 && foot.width <= kLargestSole))
+    out.push_back({"sole", "the sole of '" + foot.body + "' is " + number(foot.length) + " x " + number(foot.width) +
+                               " m; length and width must be greater than 0 and, as its centre's distance from the "
+                               "body, at most " +
+                               number(kLargestSole) + " m"});
+}
+
+}  // namespace
 
 void Names::add_missing(Reasons& out) const {
   add("joint", mj::kJoint, m_.njnt, joints_, out);
@@ -59,9 +85,11 @@ void add_description(const Model& m, const RobotDescription& description, int ro
       if (!name.empty() && !description.stand_joints.count(name)) valueless.push_back("'" + name + "'");
     }
   if (!valueless.empty()) out.push_back({"stand", "the start pose has no value for joint " + listed(valueless)});
+  for (const Side side : kSides) add_foot(description.feet[side], out);
   for (const auto& [name, value] : description.stand_joints)
-    if (!std::isfinite(value))
-      out.push_back({"stand", "the start pose's value for joint '" + name + "' is not finite"});
+    if (!(std::abs(value) <= kFarthest))
+      out.push_back({"stand", "the start pose's value for joint '" + name + "' is " + number(value) +
+                                  "; it must be finite and at most " + number(kFarthest)});
   for (const auto& [name, limit] : description.torque_limits)
     if (!(limit > 0.0))
       out.push_back({"motor", "the torque limit of joint '" + name + "' is " + number(limit) +
@@ -75,7 +103,7 @@ void add_description(const Model& m, const RobotDescription& description, int ro
   for (const int j : strangers)
     out.push_back({"names", "joint " + label(m, mj::kJoint, j) +
                                 " does not belong to this robot; take it out of start pose and torque limits"});
-  if (!description.stand_base_pos.allFinite() || !(std::abs(description.stand_base_quat.norm() - 1.0) < 1e-3))
+  if (!is_near(description.stand_base_pos, kFarthest) || !is_unit(description.stand_base_quat))
     out.push_back({"stand", "the start pose's base is not a position and a unit quaternion (w, x, y, z)"});
 }
 

@@ -22,9 +22,11 @@ void add_world(const Model& m, Reasons& out) {
   if (off || !(g[2] < 0.0) || std::hypot(g[0], g[1]) > 1e-6 * std::abs(g[2]))
     out.push_back({"gravity", "gravity is (" + number(g[0]) + ", " + number(g[1]) + ", " + number(g[2]) + ") m/s^2" +
                                   (off ? " and switched off" : "") + "; zmpwalk walks where it points down along z"});
-  if (!(*m.timestep > 0.0) || !std::isfinite(*m.timestep))
-    out.push_back({"time step", "the model's time step is " + number(*m.timestep) +
-                                    " s; walking takes one that is finite and greater than 0"});
+  constexpr double kShortest = 1e-5,
+                   kLongest = 0.1;  // shorter makes a start of millions of steps, longer is no walk [s]
+  if (!(*m.timestep >= kShortest) || !(*m.timestep <= kLongest))
+    out.push_back({"time step", "the model's time step is " + number(*m.timestep) + " s; walking takes one of " +
+                                    number(kShortest) + " to " + number(kLongest) + " s"});
   if (*m.disableflags & (m.no_contact | m.no_constraint))
     out.push_back({"contacts", "the model's option flags switch contacts off; walking needs them"});
 }

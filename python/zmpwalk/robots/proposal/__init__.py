@@ -36,7 +36,7 @@ class Proposal:
 
     Fields: description; remarks, one line each, of what is unsure or unusual; table, plain values: what
     `table.inspect_robot` gives, zmp_bounds_m (left and right, each lower and upper about the sole's centre) and
-    speed_limit_mps (both None where the controller refuses the robot: a remark says why), remarks.
+    speed_limit_mps, speed_limits (all None where the controller refuses the robot: a remark says why), remarks.
     """
 
     description: RobotDescription
@@ -108,11 +108,14 @@ def appraise(model: mujoco.MjModel, description: RobotDescription, remarks: list
         if refusal:  # perhaps only of a usual walk
             controller = _controller(model, description, 0.0)
         table["speed_limit_mps"] = float(controller.speed_limit)
+        table["speed_limits"] = {
+            way: {"most": most, "limit": limit} for way, (most, limit) in controller.speed_limits.items()
+        }
         bounds = {side: [b.tolist() for b in controller.zmp_bounds(side)] for side in ("left", "right")}
         table["zmp_bounds_m"] = bounds
         remarks += remark_usual_walk(model, description, controller, speed, refusal)
     except Error as error:
-        table["speed_limit_mps"] = table["zmp_bounds_m"] = None
+        table["speed_limit_mps"] = table["speed_limits"] = table["zmp_bounds_m"] = None
         reasons = error.reasons if isinstance(error, ModelError) else (str(error),)
         remarks += [f"the walking controller refuses it: {reason}" for reason in reasons]
     table["remarks"] = remarks = list(dict.fromkeys(remarks))  # each once

@@ -107,7 +107,8 @@ def remark_usual_walk(
     """
     g, z_c = float(np.linalg.norm(model.opt.gravity)), controller.com_height
     if speed > controller.speed_limit:
-        return [f"reach: the legs reach {controller.speed_limit:.3f} m/s, less than a usual walk's {speed:.3f} m/s"]
+        limit = controller.speed_limits["forward"][1]
+        return [f"speed: the {limit} allows {controller.speed_limit:.3f} m/s, less than a usual walk's {speed:.3f} m/s"]
     if refusal:
         return [f"a usual walk of {speed:.3f} m/s is refused: {refusal}"]
     share = controller.knee_share(speed)
