@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import os
-import xml.etree.ElementTree as ET
 from dataclasses import dataclass, field
 from typing import Any, Mapping, NamedTuple, Sequence, Union
 
@@ -234,6 +233,8 @@ class Terrain:
 
     def _in_place_of_floor(self, files: Mapping[str, bytes], path: str) -> dict[str, bytes]:
         """The files of a scene, without the planes that they hold and with this ground in the first of them."""
+        import xml.etree.ElementTree as ET  # slow to import
+
         changed, like = dict(files), None
         for name in files:
             if not name.lower().endswith((".xml", ".mjcf")):
@@ -256,13 +257,14 @@ class Terrain:
         main = next(iter(files))
         root = ET.fromstring(changed[main])
         ground = ET.SubElement(root, "worldbody")
-        ground.extend([self._box(k, patch, like) for k, patch in enumerate(self.patches)])
+        for k, patch in enumerate(self.patches):
+            ET.SubElement(ground, "geom", self._box(k, patch, like.attrib))
         changed[main] = ET.tostring(root)
         return changed
 
-    def _box(self, k: int, patch: Patch, like: ET.Element) -> ET.Element:
-        """A box whose upper side is the patch, with what `like` says of its contact and looks."""
-        keep = {name: value for name, value in like.attrib.items() if name not in _SHAPE}
+    def _box(self, k: int, patch: Patch, like: Mapping[str, str]) -> dict[str, str]:
+        """Attributes of a box whose upper side is the patch, with what `like` says of its contact and looks."""
+        keep = {name: value for name, value in like.items() if name not in _SHAPE}
         floor = float((like.get("pos") or "0 0 0").split()[2])
         axes = patch.axes
         half = np.array([0.5 * (patch.x[1] - patch.x[0]), 0.5 * (patch.y[1] - patch.y[0]), 0.5 * THICK])
@@ -270,10 +272,10 @@ class Terrain:
         centre = patch.middle + [0.0, 0.0, floor] - half[2] * axes[:, 2]
         if self.solref is not None:
             keep.update(solref=f"{self.solref!r} 1", priority="1")
-        return ET.Element(
-            "geom", keep, name=f"terrain_{k}", type="box", size=_text(half), pos=_text(centre),
-            xyaxes=_text([*axes[:, 0], *axes[:, 1]]),
-        )  # fmt: skip
+        return {
+            **keep, "name": f"terrain_{k}", "type": "box", "size": _text(half), "pos": _text(centre),
+            "xyaxes": _text([*axes[:, 0], *axes[:, 1]]),
+        }  # fmt: skip
 
 
 TerrainLike = Union[Terrain, str]

@@ -14,6 +14,7 @@ namespace {
 constexpr double kOffTime =
     0.072;                     // a foot that touches the ground this long before its time has met it off its time [T_c]
 constexpr double kLift = 1.7;  // how much higher a foot is lifted on uneven ground
+constexpr double kSoft = 0.4;  // time constant with which the tracked speed yields there [T_c]
 
 Side first_swing(const WalkSettings& settings) { return settings.gait.first_swing; }
 
@@ -73,8 +74,7 @@ void GaitGenerator::reset(const GaitInput& start, const LinearInvertedPendulum& 
   t_command_ = 0.0;
   felt_ = {false, false};
   pushed_way_.setZero();
-  pushed_ = 0.0;
-  footing_ = Footing{};
+  pushed_ = off_plan_ = 0.0;
   footsteps_.end_step();
   out_ = GaitOutput{};
   const std::array<Foothold, 2> feet = feet_of(start);
@@ -289,7 +289,6 @@ const GaitOutput& GaitGenerator::update_steps(const GaitInput& in) {
     move_sideways(in);
     out_.stretch = stretch(in);
     if (recovers_) recover(in);
-    mind_footing(in);
   }
   return out_;
 }
@@ -385,7 +384,10 @@ void GaitGenerator::capture(const GaitInput& in, double time) {
   const double planned = foot + xi_start_, near = settings_.steps.capture_distance;
   const double alone = xi_next_ - slope * out_.dv_capture;
   const double dv = out_.dv_capture + (std::clamp(alone, planned - near, planned + near) - xi_next_) / slope;
-  out_.dv_capture = std::clamp(dv, -settings_.steps.capture_speed, settings_.steps.capture_speed);
+  const double wanted = std::clamp(dv, -settings_.steps.capture_speed, settings_.steps.capture_speed);
+  // A leap of the speed is a leap of the ZMP, over which a sole tips that has not found ground under all of it.
+  const double share = -std::expm1(-settings_.control.dt / (kSoft * pendulum_.Tc()));
+  out_.dv_capture = in.uneven ? out_.dv_capture + share * (wanted - out_.dv_capture) : wanted;
 }
 
 double GaitGenerator::planned_lead() const {

@@ -23,14 +23,6 @@ constexpr double kForget = 10.0;  // time constant with which a push is forgotte
 constexpr double kPushed = 0.5;       // urgency from which the robot counts as pushed
 constexpr double kFreezeLate = 0.95;  // share of the single support until which a pushed robot moves its foothold
 
-// A sole that tips over an edge of the ground, lengths as shares of the sole's half length.
-constexpr double kTips = 0.3;      // a sole that turns faster than this is not flat on the ground [rad/s]
-constexpr double kWithin = 0.8;    // an edge further out is that of the sole
-constexpr double kBeyond = 0.2;    // so far the forces must be from where the torque should have put them
-constexpr double kOffEdge = 0.1;   // the ZMP keeps so far from the edge that was found
-constexpr double kSure = 0.043;    // how long that must last [T_c]
-constexpr double kRegained = 1.1;  // time in which half the sole's length is tried again [T_c]
-
 // Times in T_c.
 constexpr double kDecided = 0.36;  // a foot that is to land this soon keeps its time, so that it lands calmly
 constexpr double kTakenUp = 0.07;  // within this a new landing time is taken up; noise would shake the foot otherwise
@@ -89,6 +81,9 @@ void GaitGenerator::feel_pushes(const GaitInput& in) {
     pushed_way_ += Tc * (in.dcom - in.dcom_expected) - settings_.control.dt / (kForget * Tc) * pushed_way_;
   const Vec2 way = axes_of(out_.ahead_S).transpose() * pushed_way_, whole = whole_[out_.support].upper;
   pushed_ = smooth_step((way.cwiseAbs().cwiseQuotient(whole).maxCoeff() - kFelt) / (kCounts - kFelt));
+  // An edge of the ground pushes as well, unnoticed: the ZMP stays at it, wherever the torque would have it.
+  if (off_plan_ > kCalm && !out_.at_rest && !starting_)
+    pushed_ = std::max(pushed_, smooth_step((off_plan_ - kCalm) / (kAlarm - kCalm)));
 }
 
 Vec2 GaitGenerator::off_plan(const GaitInput& in) const {
@@ -115,6 +110,7 @@ double GaitGenerator::decided_share(const GaitInput& in) const {
 
 void GaitGenerator::recover(const GaitInput& in) {
   out_.urgency = 0.0;
+  off_plan_ = in.uneven ? off_plan(in).cwiseAbs().maxCoeff() : 0.0;
   if (pushed_ == 0.0) return;
   adjust_time(in);
   // Sideways the whole sole serves at once: the foot that could catch the robot there is seldom in time.
@@ -135,29 +131,6 @@ void GaitGenerator::recover(const GaitInput& in) {
   const double keep = 1.0 - share * settings_.zmp.corner_cut * smooth_step((beside - kSide) / (1.0 - kSide));
   out_.room.lower.x() *= keep;
   out_.room.upper.x() *= keep;
-}
-
-void GaitGenerator::mind_footing(const GaitInput& in) {
-  const Side side = out_.support;
-  const double dt = settings_.control.dt, Tc = pendulum_.Tc(), half = whole_[side].upper.x();
-  if (footing_.side != side) footing_ = Footing{side};
-  Footing& footing = footing_;
-  // The sole turns about an edge of the ground where the forces are not where the torque should have put them, but nearer to the middle. At its own
-  // edge it turns as it lands.
-  const double cop = in.cop[side], beyond = in.cop_expected[side] - cop;  // not-a-number makes no comparison true
-  const double tips = in.R_sole[side].col(1).dot(in.omega_sole[side]);
-  const bool within = std::abs(cop) < kWithin * half;
-  footing.tips_ahead = within && tips > kTips && beyond > kBeyond * half ? footing.tips_ahead + dt : 0.0;
-  footing.tips_back = within && tips < -kTips && beyond < -kBeyond * half ? footing.tips_back + dt : 0.0;
-  const double regained = half * dt / (kRegained * Tc), keep = kOffEdge * half;
-  footing.lower -= regained;
-  footing.upper += regained;
-  if (footing.tips_ahead > kSure * Tc) footing.upper = std::min(footing.upper, cop - keep);
-  if (footing.tips_back > kSure * Tc) footing.lower = std::max(footing.lower, cop + keep);
-  if (footing.lower > footing.upper) return;  // it rocks both ways
-  const double lower = out_.room.lower.x(), upper = out_.room.upper.x();
-  out_.room.lower.x() = std::clamp(footing.lower, lower, upper);
-  out_.room.upper.x() = std::clamp(footing.upper, lower, upper);
 }
 
 void GaitGenerator::adjust_time(const GaitInput& in) {

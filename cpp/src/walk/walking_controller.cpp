@@ -20,12 +20,6 @@ RobotDescription with_limits(RobotDescription description, const std::map<std::s
 
 double whole_fraction(const WalkSettings& s) { return std::max(s.zmp.whole_fraction, s.zmp.sole_fraction); }
 
-/// How far ahead of its middle a wrench presses a sole [m]; NaN where it is not known or the foot hardly touches.
-double pressed_at(const FrameState& sole, const Vec6& wrench) {
-  const double F = sole.R_WF.col(2).dot(wrench.head<3>()), M = sole.R_WF.col(1).dot(wrench.tail<3>());
-  return std::abs(F) >= kMinNormalForce ? -M / F : kNaN;
-}
-
 double top_speed(const VelocityProfile& profile) {
   double top = 0.0;
   for (const Vec3& v : profile.v()) top = std::max(top, v.x());
@@ -127,7 +121,6 @@ GaitInput WalkingController::gait_input(double t, const Vec2& com, const Vec2& d
   // On uneven ground a foot lands at the height of the stance foot, as far as is known.
   in.uneven = ground_.uneven();
   if (settings_.gait.touch_down != TouchDown::kContact && !in.uneven) in.ground = ground_.height();
-  in.omega_sole = {left.velocity.tail<3>(), right.velocity.tail<3>()};
   return in;
 }
 
@@ -352,11 +345,6 @@ void WalkingController::cycle(const State& state) {
   }
   GaitInput in = gait_input(t, com + forced.shift, dcom);
   in.contact << state.contact[kLeft], state.contact[kRight];
-  if (settings_.gait.touch_down == TouchDown::kFelt)
-    for (const Side side : kSides) {
-      in.cop[side] = pressed_at(dyn.sole[side], state.wrench[side]);
-      if (!std::isnan(in.cop[side])) in.cop_expected[side] = pressed_at(dyn.sole[side], out_.f_c.segment<6>(6 * side));
-    }
   const GaitOutput& gait = gait_.update(in);
   ground_.update(gait, dyn);
   out_.foreseen = foresight_.update(state.time, gait_, in, height_.pendulum());

@@ -29,10 +29,6 @@ struct GaitInput {
   double ground = kNaN;
   Vec2 contact = Vec2::Constant(kNaN);  ///< whether each foot touches the ground: 1 yes, 0 no, NaN unknown
   bool uneven = false;                  ///< the ground has been felt to be uneven
-  /// How far ahead of its middle the wrench of each foot presses its sole [m]: as it is measured, and as the last torque should have had it. NaN where
-  /// that is not known, or the foot hardly touches.
-  std::array<double, 2> cop{kNaN, kNaN}, cop_expected{kNaN, kNaN};
-  std::array<Vec3, 2> omega_sole{Vec3::Zero(), Vec3::Zero()};  ///< angular velocity of the soles, W [rad/s]
 };
 
 /// The place of a sole with centre `p` and axes `R`.
@@ -127,8 +123,6 @@ class GaitGenerator {
   void begin_walk(const GaitInput& in);
   bool has_landed(const GaitInput& in);
   bool is_felt(const GaitInput& in, bool due);  // the landing, where touch_down is "felt"
-  void mind_footing(
-      const GaitInput& in);  // a sole that tips fore or aft over an edge of the ground gives up what is beyond
   void move_swing_foot(const GaitInput& in);
   void move_ahead(const GaitInput& in);
   void move_sideways(const GaitInput& in);
@@ -184,6 +178,7 @@ class GaitGenerator {
   bool retimed_ = false;            // by the caller, in this phase: its time is theirs, and stays
   Vec2 pushed_way_ = Vec2::Zero();  // way of the DCM that pushes have caused and that is not forgotten yet, W [m]
   double pushed_ = 0.0;             // how much that counts: 0 not at all, 1 fully
+  double off_plan_ = 0.0;           // how far the DCM is from its plan on uneven ground, as a share of the sole
   double planned_landing_ = 0.0;    // time at which the foot in the air lands if nothing disturbs it [s]
   double xi_planned_ = 0.0;         // where the lateral orbit has the DCM now, from the support foot along H's y [m]
   double xi_offset_ = 0.0;  // where it has the DCM when the next foot takes over, from that foot along H's y [m]
@@ -210,13 +205,6 @@ class GaitGenerator {
     kOverdue    // the foot met no ground where it should have, and goes on down
   };
   Swing swing_ = Swing::kLifting;
-  static constexpr double kNoEdge = 1.0;  // beyond every sole [m]
-  struct Footing {
-    Side side = kLeft;
-    double lower = -kNoEdge, upper = kNoEdge;  // what of it has been found to carry, along its x axis [m]
-    double tips_ahead = 0.0, tips_back = 0.0;  // for how long it has tipped over an edge of the ground [s]
-  };
-  Footing footing_;                         // of the support sole, in this stance
   std::array<bool, 2> felt_{false, false};  // whether the contact of each foot has been measured in this walk
   double period_ = 0.0;                     // period of the step after this one [s]
   Vec3 command_, allowance_;
