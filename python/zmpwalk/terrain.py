@@ -13,7 +13,7 @@ import numpy as np
 from .errors import InputError, ModelError, nearest
 from .robots import Robot, RobotDescription, load_robot, robot_file
 from .robots.load import read_robot
-from .robots.source import Given, Source, remember, source_of
+from .robots.source import Given, remember, source_of
 
 __all__ = ["Patch", "Terrain", "load_scene", "scene_model"]
 
@@ -226,41 +226,13 @@ class Terrain:
         source = source_of(path)
         if source is None:
             raise ModelError(f"{path}: it names files that are not there")
-        source = Source(self._in_place_of_floor(source.files, str(path)))
+        try:
+            source = source.on_ground(lambda floor: [self._box(k, each, floor) for k, each in enumerate(self.patches)])
+        except ModelError as error:
+            raise ModelError(f"{path}: {error}") from None
         model = source.compiled()
         remember(model, source)  # a trace keeps the ground with the robot
         return model
-
-    def _in_place_of_floor(self, files: Mapping[str, bytes], path: str) -> dict[str, bytes]:
-        """The files of a scene, without the planes that they hold and with this ground in the first of them."""
-        import xml.etree.ElementTree as ET  # slow to import
-
-        changed, like = dict(files), None
-        for name in files:
-            if not name.lower().endswith((".xml", ".mjcf")):
-                continue
-            root = ET.fromstring(files[name])
-            floors = [
-                (parent, geom)
-                for world in root.iter("worldbody")
-                for parent in (world, *world.iter("body"))
-                for geom in parent.findall("geom")
-                if geom.get("type") == "plane"
-            ]
-            for parent, geom in floors:
-                parent.remove(geom)
-                like = geom if like is None else like
-            if floors:
-                changed[name] = ET.tostring(root)
-        if like is None:
-            raise ModelError(f"{path}: its scene has no floor, a geom of type plane, that a terrain could replace")
-        main = next(iter(files))
-        root = ET.fromstring(changed[main])
-        ground = ET.SubElement(root, "worldbody")
-        for k, patch in enumerate(self.patches):
-            ET.SubElement(ground, "geom", self._box(k, patch, like.attrib))
-        changed[main] = ET.tostring(root)
-        return changed
 
     def _box(self, k: int, patch: Patch, like: Mapping[str, str]) -> dict[str, str]:
         """Attributes of a box whose upper side is the patch, with what `like` says of its contact and looks."""
