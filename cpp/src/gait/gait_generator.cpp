@@ -386,8 +386,8 @@ void GaitGenerator::capture(const GaitInput& in, double time) {
   const double dv = out_.dv_capture + (std::clamp(alone, planned - near, planned + near) - xi_next_) / slope;
   const double wanted = std::clamp(dv, -settings_.steps.capture_speed, settings_.steps.capture_speed);
   // A leap of the speed is a leap of the ZMP, over which a sole tips that has not found ground under all of it.
-  const double share = -std::expm1(-settings_.control.dt / (kSoft * pendulum_.Tc()));
-  out_.dv_capture = in.uneven ? out_.dv_capture + share * (wanted - out_.dv_capture) : wanted;
+  const auto share = [&] { return -std::expm1(-settings_.control.dt / (kSoft * pendulum_.Tc())); };
+  out_.dv_capture = in.uneven ? out_.dv_capture + share() * (wanted - out_.dv_capture) : wanted;
 }
 
 double GaitGenerator::planned_lead() const {
