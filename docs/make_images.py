@@ -1,7 +1,7 @@
-"""Draws the pictures of README, how-tos and the mixed walk of `walk_anywhere.md`: `python docs/make_images.py`.
+"""Draws the pictures of README, how-tos, ground and the mixed walk: `python docs/make_images.py`.
 
-`--only NAME` draws one: estimate, walk, sagittal, mixed, howto, moving (the picture that moves) or viewer, which needs
-a display (`xvfb-run`) and is drawn only so.
+`--only NAME` draws one: estimate, walk, sagittal, mixed, ground, howto, moving (the picture that moves) or viewer. The
+last one needs a display (`xvfb-run`) and is drawn only when it is asked for.
 """
 
 import argparse
@@ -27,6 +27,7 @@ import walk_anywhere
 
 IMAGES = Path(__file__).parent / "images"
 MOVING, FPS = (480, 360), 20  # of the picture that moves [pixels, 1/s]
+DRAWN = ("estimate", "walk", "sagittal", "mixed", "ground")
 TIMES = {0.4: "stands on the left foot", 2.0: "first steps", 4.9: "both feet down", 5.3: "swings a leg"}
 # What the script of the mixed walk does from one instant to the next [s].
 LEGS = {
@@ -98,6 +99,23 @@ def moving() -> None:
     pictures[0].save(IMAGES / "walking.webp", save_all=True, append_images=pictures[1:], **options)
 
 
+def ground(trace: zmpwalk.Trace) -> Figure:
+    """An instant on blocks, and the heights of soles and followed ground over time."""
+    with matplotlib.rc_context(plot.STYLE):
+        figure = plot.WalkFigure(figsize=(10.0, 3.4))
+        view = figure.add_axes((0.0, 0.0, 0.36, 1.0))
+        camera = {"azimuth": 125.0, "elevation": -12.0, "distance": 2.7}
+        view.imshow(render.snapshot(trace, t=8.62, width=500, height=472, camera=camera), aspect="auto")
+        view.set_axis_off()
+        ax = figure.add_axes((0.43, 0.17, 0.56, 0.76))
+        for foot, label in ((trace.foot_left, "left sole"), (trace.foot_right, "right sole")):
+            ax.plot(trace.t, 100.0 * foot[:, 2], lw=0.9, label=label)
+        ax.plot(trace.t, 100.0 * trace.ground, color="black", lw=1.6, label="height that the COM follows")
+        ax.set(xlim=(4.0, 12.0), ylim=(-0.5, 14.0), xlabel="t [s]", ylabel="height over the floor [cm]")
+        ax.legend(loc="upper left", ncol=3)
+    return figure
+
+
 def howtos() -> None:
     """The pictures that the code of the how-tos writes: NAME.png becomes images/howto_NAME.png."""
     for page in sorted((IMAGES.parent / "howto").glob("*.md")):
@@ -133,9 +151,7 @@ def viewer() -> None:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument(
-        "--only", choices=("estimate", "walk", "sagittal", "mixed", "howto", "viewer", "moving"), help="one picture"
-    )
+    parser.add_argument("--only", choices=(*DRAWN, "howto", "viewer", "moving"), help="one picture")
     only = parser.parse_args().only
     if only in (None, "howto"):
         howtos()
@@ -151,6 +167,9 @@ def main() -> None:
             draw(trace).savefig(IMAGES / f"{draw.__name__}.png", dpi=160 if draw is walk else 110)
     if only in (None, "mixed"):
         mixed(zmpwalk.simulate(**walk_anywhere.mixed())).savefig(IMAGES / "mixed.png", dpi=100)
+    if only in (None, "ground"):
+        blocks = zmpwalk.simulate(profile=0.25, duration=12.0, terrain="blocks:2,7")
+        ground(blocks).savefig(IMAGES / "ground.png", dpi=100)
 
 
 if __name__ == "__main__":

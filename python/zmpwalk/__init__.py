@@ -73,6 +73,7 @@ from .robots import (
 from .settings import load_settings, settings_toml
 from .simulation import Recorder, WalkingController, simulate, simulate_batch
 from .tasks import FrameTask, JointTask, MomentumTask
+from .terrain import Patch, Terrain
 from .trace import Fall, Trace
 
 __all__ = [
@@ -93,6 +94,7 @@ __all__ = [
     "LinearInvertedPendulum",
     "ModelError",
     "MomentumTask",
+    "Patch",
     "PendulumWalk",
     "Plane",
     "Proposal",
@@ -106,6 +108,7 @@ __all__ = [
     "Sweep",
     "TaskAccelerations",
     "TaskSpace",
+    "Terrain",
     "Trace",
     "Uncertainty",
     "VelocityProfile",

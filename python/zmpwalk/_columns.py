@@ -132,6 +132,13 @@ class RecordedColumns:
     attitude_bias: np.ndarray
     """(T, 3) [rad]. Rotation vector of the bias that was found in the measured attitude and is taken out of it."""
 
+    ground: np.ndarray
+    """(T,) [m]. Height of the ground that the walk follows: that of the soles at the start until the ground is felt to
+    be uneven."""
+
+    uneven: np.ndarray
+    """(T,). Whether the ground has been felt to be uneven."""
+
     torque_ratio: np.ndarray
     """(T,). Largest ratio of a joint's torque to its limit, before limits are kept or torques cut."""
 

@@ -164,7 +164,7 @@ class GaitSettingsDict(typing.TypedDict, total=False):
     stand_gain: float
     closing_distance: float
     closing_turn: float
-    touch_down: typing.Literal["time", "contact"]
+    touch_down: typing.Literal["felt", "time", "contact"]
     touch_down_share: float
     touch_down_time: float
     touch_down_speed: float
@@ -366,7 +366,7 @@ class WalkSettings:
         stand_gain: float = ...,
         closing_reach: float = ...,
         closing_turn: float = ...,
-        touch_down: typing.Literal["time", "contact"] = ...,
+        touch_down: typing.Literal["felt", "time", "contact"] = ...,
         touch_down_share: float = ...,
         touch_down_time: float = ...,
         touch_down_speed: float = ...,
@@ -520,10 +520,10 @@ class WalkSettings:
                 stand_gain: How hard a standing robot is brought back over the middle between its feet: the ZMP goes beyond the DCM (COM + T_c times its velocity) by this many times the DCM's distance from the middle. Default: 1.0.
                 closing_distance (closing_reach): A walk ends with a step that sets the foot beside the other one. That step is taken once the DCM (COM + T_c times its velocity) will be this near to the standing foot at its end. Unit: m. Default: 0.1 z_c.
                 closing_turn: A walk ends with a step that sets the foot beside the other one. That step is taken only where the headings of the path and of the standing foot differ by no more than this. Unit: rad. Default: 0.05.
-                touch_down: What ends a step: 'time' alone, or 'contact': the step ends when the swing foot is felt to touch the ground, before or after the planned time. A foot whose contact is not known, or was never felt, ends its step by time. One of 'time', 'contact'. Default: 'time'.
-                touch_down_share: Share of the single support before which a contact of the swing foot does not end the step: a foot that has just lifted may scuff the ground. Only where touch_down is 'contact'. Default: 0.5.
-                touch_down_time: How long a swing foot that meets no ground at its planned time goes on down, until the step ends by time. Only where touch_down is 'contact'. Unit: s. Default: 0.18 T_c.
-                touch_down_speed: Speed at which a swing foot comes down onto the ground. A foot that meets none at its planned time goes on at this speed, ever slower: within touch_down_time by two thirds of touch_down_speed times touch_down_time. Only where touch_down is 'contact'; by time, a foot lands at rest. Unit: m/s. Default: 0.02 sqrt(g z_c).
+                touch_down: What ends a step. 'felt': by time, but a foot that meets the ground well before its time stays there, and once feet have found the ground uneven it is felt for; then height and swing follow the ground. 'time' alone; or 'contact': each step ends when the swing foot is felt to touch. A foot whose contact is not known, or was never felt, ends its step by time. One of 'felt', 'time', 'contact'. Default: 'felt'.
+                touch_down_share: Share of the single support before which a contact of the swing foot does not end the step: a foot that has just lifted may scuff the ground. Not where touch_down is 'time'. Default: 0.5.
+                touch_down_time: How long a swing foot that meets no ground at its planned time goes on down, until the step ends by time. Not where touch_down is 'time'. Unit: s. Default: 0.18 T_c.
+                touch_down_speed: Speed at which a swing foot comes down onto the ground where touch_down is 'contact', and on ground that has been felt to be uneven. A foot that meets none at its planned time goes on at this speed, ever slower: within touch_down_time by two thirds of touch_down_speed times touch_down_time. By time, a foot lands at rest. Unit: m/s. Default: 0.037 sqrt(g z_c).
             steps: Where the feet are set down. A dict, or StepsSettings.
                 mode (footsteps): What decides where a foot lands: 'tied' follows the COM, which keeps the walk balanced; 'absolute' takes the places of the plan; 'paper' and 'printed' take the step lengths of section IV, corrected and as printed; 'list' takes steps.lengths. Python and files take a list of lengths here as well. One of 'tied', 'absolute', 'paper', 'printed', 'list'. Default: 'tied'.
                 lengths (step_lengths): How far each step lands ahead of the standing foot, one number per step; the last one repeats. Tied footsteps do not use it. Unit: m. Default: [].
@@ -674,7 +674,7 @@ class WalkSettings:
         stand_gain: float = ...,
         closing_reach: float = ...,
         closing_turn: float = ...,
-        touch_down: typing.Literal["time", "contact"] = ...,
+        touch_down: typing.Literal["felt", "time", "contact"] = ...,
         touch_down_share: float = ...,
         touch_down_time: float = ...,
         touch_down_speed: float = ...,
@@ -961,23 +961,23 @@ class WalkSettings:
     @closing_turn.setter
     def closing_turn(self, value: float) -> None: ...
     @property
-    def touch_down(self) -> typing.Literal["time", "contact"]:
-        """gait.touch_down: What ends a step: 'time' alone, or 'contact': the step ends when the swing foot is felt to touch the ground, before or after the planned time. A foot whose contact is not known, or was never felt, ends its step by time. One of 'time', 'contact'. Default: 'time'."""
+    def touch_down(self) -> typing.Literal["felt", "time", "contact"]:
+        """gait.touch_down: What ends a step. 'felt': by time, but a foot that meets the ground well before its time stays there, and once feet have found the ground uneven it is felt for; then height and swing follow the ground. 'time' alone; or 'contact': each step ends when the swing foot is felt to touch. A foot whose contact is not known, or was never felt, ends its step by time. One of 'felt', 'time', 'contact'. Default: 'felt'."""
     @touch_down.setter
-    def touch_down(self, value: typing.Literal["time", "contact"]) -> None: ...
+    def touch_down(self, value: typing.Literal["felt", "time", "contact"]) -> None: ...
     @property
     def touch_down_share(self) -> float:
-        """gait.touch_down_share: Share of the single support before which a contact of the swing foot does not end the step: a foot that has just lifted may scuff the ground. Only where touch_down is 'contact'. Default: 0.5."""
+        """gait.touch_down_share: Share of the single support before which a contact of the swing foot does not end the step: a foot that has just lifted may scuff the ground. Not where touch_down is 'time'. Default: 0.5."""
     @touch_down_share.setter
     def touch_down_share(self, value: float) -> None: ...
     @property
     def touch_down_time(self) -> float:
-        """gait.touch_down_time: How long a swing foot that meets no ground at its planned time goes on down, until the step ends by time. Only where touch_down is 'contact'. Unit: s. Default: 0.18 T_c."""
+        """gait.touch_down_time: How long a swing foot that meets no ground at its planned time goes on down, until the step ends by time. Not where touch_down is 'time'. Unit: s. Default: 0.18 T_c."""
     @touch_down_time.setter
     def touch_down_time(self, value: float) -> None: ...
     @property
     def touch_down_speed(self) -> float:
-        """gait.touch_down_speed: Speed at which a swing foot comes down onto the ground. A foot that meets none at its planned time goes on at this speed, ever slower: within touch_down_time by two thirds of touch_down_speed times touch_down_time. Only where touch_down is 'contact'; by time, a foot lands at rest. Unit: m/s. Default: 0.02 sqrt(g z_c)."""
+        """gait.touch_down_speed: Speed at which a swing foot comes down onto the ground where touch_down is 'contact', and on ground that has been felt to be uneven. A foot that meets none at its planned time goes on at this speed, ever slower: within touch_down_time by two thirds of touch_down_speed times touch_down_time. By time, a foot lands at rest. Unit: m/s. Default: 0.037 sqrt(g z_c)."""
     @touch_down_speed.setter
     def touch_down_speed(self, value: float) -> None: ...
     @property
@@ -1621,23 +1621,23 @@ class GaitSettings:
     @closing_turn.setter
     def closing_turn(self, value: float) -> None: ...
     @property
-    def touch_down(self) -> typing.Literal["time", "contact"]:
-        """What ends a step: 'time' alone, or 'contact': the step ends when the swing foot is felt to touch the ground, before or after the planned time. A foot whose contact is not known, or was never felt, ends its step by time. One of 'time', 'contact'. Default: 'time'."""
+    def touch_down(self) -> typing.Literal["felt", "time", "contact"]:
+        """What ends a step. 'felt': by time, but a foot that meets the ground well before its time stays there, and once feet have found the ground uneven it is felt for; then height and swing follow the ground. 'time' alone; or 'contact': each step ends when the swing foot is felt to touch. A foot whose contact is not known, or was never felt, ends its step by time. One of 'felt', 'time', 'contact'. Default: 'felt'."""
     @touch_down.setter
-    def touch_down(self, value: typing.Literal["time", "contact"]) -> None: ...
+    def touch_down(self, value: typing.Literal["felt", "time", "contact"]) -> None: ...
     @property
     def touch_down_share(self) -> float:
-        """Share of the single support before which a contact of the swing foot does not end the step: a foot that has just lifted may scuff the ground. Only where touch_down is 'contact'. Default: 0.5."""
+        """Share of the single support before which a contact of the swing foot does not end the step: a foot that has just lifted may scuff the ground. Not where touch_down is 'time'. Default: 0.5."""
     @touch_down_share.setter
     def touch_down_share(self, value: float) -> None: ...
     @property
     def touch_down_time(self) -> float:
-        """How long a swing foot that meets no ground at its planned time goes on down, until the step ends by time. Only where touch_down is 'contact'. Unit: s. Default: 0.18 T_c."""
+        """How long a swing foot that meets no ground at its planned time goes on down, until the step ends by time. Not where touch_down is 'time'. Unit: s. Default: 0.18 T_c."""
     @touch_down_time.setter
     def touch_down_time(self, value: float) -> None: ...
     @property
     def touch_down_speed(self) -> float:
-        """Speed at which a swing foot comes down onto the ground. A foot that meets none at its planned time goes on at this speed, ever slower: within touch_down_time by two thirds of touch_down_speed times touch_down_time. Only where touch_down is 'contact'; by time, a foot lands at rest. Unit: m/s. Default: 0.02 sqrt(g z_c)."""
+        """Speed at which a swing foot comes down onto the ground where touch_down is 'contact', and on ground that has been felt to be uneven. A foot that meets none at its planned time goes on at this speed, ever slower: within touch_down_time by two thirds of touch_down_speed times touch_down_time. By time, a foot lands at rest. Unit: m/s. Default: 0.037 sqrt(g z_c)."""
     @touch_down_speed.setter
     def touch_down_speed(self, value: float) -> None: ...
 
@@ -4201,6 +4201,13 @@ class CycleOutput:
         Whether this call computed the torque and did not hold an earlier one.
         """
     @property
+    def ground(self) -> float:
+        """
+        Height of the ground that the walk follows: that of the soles at the start until the ground is felt to be uneven.
+
+        [m], frame W.
+        """
+    @property
     def heading(self) -> float:
         """
         Direction in which the path leads, as an angle from the world's x axis.
@@ -4272,6 +4279,11 @@ class CycleOutput:
     def torque_ratio(self) -> float:
         """
         Largest ratio of a joint's torque to its limit, before limits are kept or torques cut.
+        """
+    @property
+    def uneven(self) -> bool:
+        """
+        Whether the ground has been felt to be uneven.
         """
     @property
     def v_des(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:

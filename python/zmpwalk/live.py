@@ -18,9 +18,10 @@ from .disturbances import PUSH_DURATION
 from .errors import InputError
 from .given import Settings
 from .render import PUSH_SHOWN, crosses, push_arrow, sole_outline, stride, velocity_words
-from .robots import Robot, load_robot
+from .robots import Robot
 from .robots.polygon import convex_hull
 from .simulation import Recorder, WalkingController
+from .terrain import TerrainLike, load_scene
 
 __all__ = ["LEGEND", "LiveWalk", "Steering"]
 
@@ -131,6 +132,7 @@ class LiveWalk:
         pace: simulated seconds in a second.
         record: the `.npz` file that a recording is written into; a number is put before its ending where the file is
             there already.
+        terrain: ground in place of the floor, as for `simulate`.
 
     Fields: `model`, `data`, `controller`, `steering`, `out` (the last cycle's), `pace`, `paused`, `strength` of a push
     [N s/kg], `help` (whether all keys are shown), `recorded` (the files written), `closed`.
@@ -148,13 +150,14 @@ class LiveWalk:
         steering: Steering | None = None,
         pace: float = 1.0,
         record: str | os.PathLike = "walk.npz",
+        terrain: TerrainLike | None = None,
     ):
         if not (math.isfinite(pace) and pace > 0):
             raise InputError(f"speed is {pace:g}; it must be positive and finite")
         self._file = Path(record)
         if self._file.suffix.lower() != ".npz":
             raise InputError(f"{self._file}: a recorded walk is a .npz file")
-        self.model, self._description = load_robot(robot)
+        self.model, self._description = load_scene(robot, terrain)
         self.data = mujoco.MjData(self.model)
         self.controller = WalkingController(self.model, self._description, settings, profile=0.0)
         self.steering = steering or Steering.of(self.controller)

@@ -23,9 +23,9 @@ from .errors import InputError
 from .given import Settings, settings_of
 from .motion import JointMotion
 from .profiles import Profile, VelocityProfile, profile_of, three
-from .robots import Robot, RobotDescription, describe, description_to_dict, load_robot
-from .robots.load import read_robot
+from .robots import Robot, RobotDescription, describe, description_to_dict
 from .robots.source import Given, Source, given_source, model_bytes
+from .terrain import Terrain, TerrainLike, load_scene, scene_model
 from .trace import Trace, plain
 
 __all__ = ["Recorder", "WalkingController", "simulate", "simulate_batch"]
@@ -262,6 +262,7 @@ def simulate(
     on_fall: str = "stop",
     uncertainty: Uncertainty | Mapping[str, Any] | None = None,
     simulated: Robot | None = None,
+    terrain: TerrainLike | None = None,
     source: Given = None,
 ) -> Trace:
     """Walk a robot in MuJoCo, wholly in C++, and return what was recorded.
@@ -295,6 +296,8 @@ def simulate(
         uncertainty: what the controller does not know, or not in time: an `Uncertainty`, or a dictionary of its fields.
         simulated: the robot that is simulated, where it is not the one that the controller knows: it must have the
             bodies that the description names, and the same joints in the same order. `uncertainty` changes this one.
+        terrain: ground in place of the floor of the robot's scene: a `Terrain` or a text such as "slope:5",
+            "blocks:2,7" or "stairs:12x28" (`Terrain.of`). The controller is not told.
         source: what `robot` was compiled from where it is an `MjModel`: the path of its MJCF or URDF, the text of an
             MJCF, or (text, {file name: content}). The trace keeps it, so that it can be filmed and run again under any
             MuJoCo. A robot that is given by name or path brings its own.
@@ -311,13 +314,14 @@ def simulate(
         `zmpwalk.simulate(profile=0.0, command=lambda t, out: (0.2, 0.0, 0.3 - out.heading))`
         `zmpwalk.simulate(duration=12, push=[(4.0, 0.08, None, (0, 100, 0))], on_fall="go_on")`
         `zmpwalk.simulate(uncertainty={"noise": 1, "torque_delay": 0.004}, seed=3)`
+        `zmpwalk.simulate(profile=0.25, terrain="blocks:1", duration=30)`
     """
-    model, description = load_robot(robot)
+    model, description = load_scene(robot, terrain, source)
     controller = WalkingController(model, description, settings, profile, source)
     controller.move(motion)
     for task in tasks:
         controller.add(task)
-    outside = Outside.of(controller, seed, push, on_fall, uncertainty, simulated)
+    outside = Outside.of(controller, seed, push, on_fall, uncertainty, simulated, terrain)
     return run(controller, duration, on_progress, seed, name_of(robot), command, outside=outside)
 
 
@@ -356,10 +360,10 @@ def simulate_batch(
         for name in given:
             if name not in known:
                 raise InputError(f"run {i} has '{name}'; a run has only {', '.join(known)}")
-        robot = given.get("robot", "mahru")
-        key = robot if isinstance(robot, (str, os.PathLike)) else id(robot)
+        robot, terrain = given.get("robot", "mahru"), given.get("terrain")
+        key = tuple(each if isinstance(each, (str, os.PathLike)) else id(each) for each in (robot, terrain))
         if key not in robots:
-            robots[key] = load_robot(robot)
+            robots[key] = load_scene(robot, terrain, given.get("source"))
         controller = WalkingController(*robots[key], given.get("settings"), given.get("profile"), given.get("source"))
         controller.move(given.get("motion"))
         for task in given.get("tasks", ()):
@@ -367,7 +371,7 @@ def simulate_batch(
         duration, seed = check_duration(given.get("duration", 8.0), controller), _check_seed(given.get("seed", 0))
         outside = Outside.of(
             controller, seed, given.get("push", ()), given.get("on_fall", "stop"), given.get("uncertainty"),
-            given.get("simulated"),
+            given.get("simulated"), terrain,
         )  # fmt: skip
         outside.simulation(controller)  # what is wrong with it is said before the first walk begins
         jobs.append((controller, duration, seed, name_of(robot), given.get("command"), outside))
@@ -463,6 +467,8 @@ class Outside:
     """whether the simulated robot was given, as another than the controller's"""
     source: Source | None = None
     """what that robot was compiled from"""
+    terrain: str | None = None
+    """the ground that was given, in words"""
 
     @classmethod
     def of(
@@ -473,18 +479,20 @@ class Outside:
         on_fall: str = "stop",
         uncertainty: Uncertainty | Mapping[str, Any] | None = None,
         simulated: Robot | None = None,
+        terrain: TerrainLike | None = None,
     ) -> Outside:
         """From the arguments of `simulate`, checked as far as can be without a simulation."""
         if on_fall not in ON_FALL:
             raise InputError(f"on_fall is {on_fall!r}; it must be {' or '.join(ON_FALL)}")
         pushes = [each._replace(body=each.body or _core.trunk_body(controller)) for each in pushes_of(push)]
         unsure = uncertainty_of(uncertainty)
-        given = model = None if simulated is None else read_robot(simulated)[0]
+        given = model = None if simulated is None else scene_model(simulated, terrain)
         source = None if given is None else given_source(None, given)
         if unsure.changes_model:
             known = controller.model if model is None else model
             model = unsure.changed(known, unsure.root_of(known, controller.description), _check_seed(seed))
-        return cls(pushes, on_fall, unsure, model, _check_seed(seed), given is not None, source)
+        ground = None if terrain is None else Terrain.of(terrain).text
+        return cls(pushes, on_fall, unsure, model, _check_seed(seed), given is not None, source, ground)
 
     @classmethod
     def again(cls, trace: Trace) -> Outside:
@@ -493,7 +501,7 @@ class Outside:
         return cls(
             pushes_of(meta.get("push", ())), meta.get("on_fall", "stop"), uncertainty_of(meta.get("uncertainty")),
             trace.simulated_model if meta.get("simulated_sha256") else None, meta.get("seed", 0),
-            meta.get("simulated_given", False), trace._simulated_source,
+            meta.get("simulated_given", False), trace._simulated_source, meta.get("terrain"),
         )  # fmt: skip
 
     def simulation(self, controller: WalkingController) -> _core.Simulation:
@@ -511,6 +519,7 @@ class Outside:
             "on_fall": self.on_fall,
             "uncertainty": self.uncertainty.to_dict(),
             "simulated_sha256": sha,
+            "terrain": self.terrain,
             "simulated_given": self.given,
         }
 

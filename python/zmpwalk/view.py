@@ -15,6 +15,7 @@ from .given import Settings
 from .live import AXES, KEYS, LEGEND, LiveWalk, Steering
 from .render import Scene, default_camera
 from .robots import Robot
+from .terrain import TerrainLike
 
 __all__ = ["LiveWalk", "Steering", "view"]
 
@@ -173,6 +174,7 @@ def view(
     shadows: bool = True,
     on_frame: Callable[[Window, LiveWalk], None] | None = None,
     record: str | os.PathLike = "walk.npz",
+    terrain: TerrainLike | None = None,
 ) -> LiveWalk:
     """Open a window on a robot and let keyboard and mouse walk and push it, in real time, until Esc or the window's own
     cross. The key H shows all keys.
@@ -185,6 +187,7 @@ def view(
         shadows: draw shadows and reflections.
         on_frame: called after each frame; may press keys.
         record: the `.npz` file that the key T records into; a number is put before its ending where the file is there.
+        terrain: ground in place of the floor, as for `simulate`.
 
     Returns:
         The walk as it was when the window closed; `recorded` are the files that were written.
@@ -194,7 +197,7 @@ def view(
 
     Usage: `zmpwalk.view.view("mahru")`
     """
-    walk = LiveWalk(robot, settings, pace=speed, record=record)
+    walk = LiveWalk(robot, settings, pace=speed, record=record, terrain=terrain)
     window = Window(walk, width, height, shadows)
     try:
         import glfw

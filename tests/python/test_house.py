@@ -16,7 +16,7 @@ FLOORS = [
     ["files", "checks"],
     ["functions", "analysis", "settings"],
     ["_adapters", "profiles", "motion", "given", "robots", "disturbances"],
-    ["_check_mujoco", "tasks", "verdict"],
+    ["_check_mujoco", "tasks", "terrain", "verdict"],
     ["trace"],
     ["simulation"],
     ["waypoints", "bench", "render", "capture", "trials", "sweeps"],

@@ -16,6 +16,10 @@ namespace {
 constexpr double kHeld = 0.8;
 /// Share of `steps.capture_distance` by which it may be off its plan all the same: the plan of a fast walk goes to the edge of those bounds.
 constexpr double kAlways = 0.1;
+constexpr double kOffTime =
+    0.072;                     // a foot that touches the ground this long before its time has met it off its time [T_c]
+constexpr double kLift = 1.7;  // how much higher a foot is lifted on uneven ground
+constexpr double kSoft = 0.4;  // time constant with which the tracked speed yields there [T_c]
 
 Side first_swing(const WalkSettings& settings) { return settings.gait.first_swing; }
 
@@ -75,7 +79,7 @@ void GaitGenerator::reset(const GaitInput& start, const LinearInvertedPendulum& 
   t_command_ = 0.0;
   felt_ = {false, false};
   pushed_way_.setZero();
-  pushed_ = 0.0;
+  pushed_ = off_plan_ = 0.0;
   footsteps_.end_step();
   out_ = GaitOutput{};
   const std::array<Foothold, 2> feet = feet_of(start);
@@ -145,6 +149,9 @@ bool GaitGenerator::can_stand(const GaitInput& in) const {
 
 bool GaitGenerator::has_landed(const GaitInput& in) {
   const bool due = schedule_.landed(in.t);
+  out_.off_time = false;
+  if (settings_.gait.touch_down == TouchDown::kFelt && out_.phase.phase == Phase::kSingleSupport)
+    return is_felt(in, due);
   if (settings_.gait.touch_down == TouchDown::kTime || out_.phase.phase == Phase::kDoubleSupport) return due;
   const double contact = in.contact[out_.swing], since = in.t - schedule_.lift_off(), dt = settings_.control.dt;
   const bool touches = contact > 0.5, flies = contact < 0.5;  // neither, where it is not known
@@ -159,6 +166,29 @@ bool GaitGenerator::has_landed(const GaitInput& in) {
   schedule_.wait(in.t + dt);
   if (swing_ != Swing::kOverdue) swing_foot_.sink(since, settings_.gait.touch_down_time);
   swing_ = Swing::kOverdue;
+  return false;
+}
+
+bool GaitGenerator::is_felt(const GaitInput& in, bool due) {
+  const GaitSettings& gait = settings_.gait;
+  const double contact = in.contact[out_.swing], since = in.t - schedule_.lift_off(), dt = settings_.control.dt;
+  const bool touches = contact > 0.5, flies = contact < 0.5;  // neither, where it is not known
+  if (flies && swing_ == Swing::kLifting) swing_ = Swing::kAirborne;
+  if (touches && swing_ == Swing::kOverdue) return true;
+  if (!due) {
+    if (!touches || swing_ != Swing::kAirborne || since < gait.touch_down_share * out_.phase.duration) return false;
+    out_.off_time = schedule_.touch_down() - in.t > kOffTime * pendulum_.Tc();
+    if (!in.uneven && !out_.off_time) return false;  // it comes down calmly, and has touched a little early
+    schedule_.land(in.t);
+    return true;
+  }
+  // On even ground a foot lands at rest, and touches when it is loaded: that it flies says nothing there.
+  const bool waits = in.uneven && flies && felt_[out_.swing] && swing_ != Swing::kLifting;
+  if (!waits || schedule_.waited() + dt > gait.touch_down_time) return true;
+  schedule_.wait(in.t + dt);
+  if (swing_ != Swing::kOverdue) swing_foot_.sink(since, gait.touch_down_time);
+  swing_ = Swing::kOverdue;
+  out_.off_time = schedule_.waited() > 0.5 * kOffTime * pendulum_.Tc();
   return false;
 }
 
@@ -199,8 +229,10 @@ void GaitGenerator::move_swing_foot(const GaitInput& in) {
   const double t = out_.phase.time, duration = out_.phase.duration;
   if (began_ == Began::kSingleSupport) {
     const double z_land = std::isnan(in.ground) ? in.p_sole[other(out_.swing)].z() : in.ground;
-    const double speed = settings_.gait.touch_down == TouchDown::kContact ? settings_.gait.touch_down_speed : 0.0;
-    swing_foot_.begin(in.p_sole[out_.swing], in.R_sole[out_.swing], duration, z_land, settings_.swing.height, speed);
+    const bool feels = in.uneven || settings_.gait.touch_down == TouchDown::kContact;
+    const double height = (in.uneven ? kLift : 1.0) * settings_.swing.height;
+    swing_foot_.begin(in.p_sole[out_.swing], in.R_sole[out_.swing], duration, z_land, height,
+                      feels ? settings_.gait.touch_down_speed : 0.0, in.uneven);
   } else if (swing_ != Swing::kOverdue && duration != swing_foot_.duration()) {
     swing_foot_.replan(t, duration - t);
   }
@@ -361,7 +393,10 @@ void GaitGenerator::capture(const GaitInput& in, double time) {
   const double most = std::min(planned + near, std::max(planned + kAlways * near, foot + kHeld * there.upper.x()));
   const double alone = xi_next_ - slope * out_.dv_capture;
   const double dv = out_.dv_capture + (std::clamp(alone, least, most) - xi_next_) / slope;
-  out_.dv_capture = std::clamp(dv, -settings_.steps.capture_speed, settings_.steps.capture_speed);
+  const double wanted = std::clamp(dv, -settings_.steps.capture_speed, settings_.steps.capture_speed);
+  // A leap of the speed is a leap of the ZMP, over which a sole tips that has not found ground under all of it.
+  const auto share = [&] { return -std::expm1(-settings_.control.dt / (kSoft * pendulum_.Tc())); };
+  out_.dv_capture = in.uneven ? out_.dv_capture + share() * (wanted - out_.dv_capture) : wanted;
 }
 
 double GaitGenerator::planned_lead() const {

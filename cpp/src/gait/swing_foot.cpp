@@ -14,6 +14,9 @@ constexpr double kLeastShare =
     0.2;  // least rate of an own time that is held back, as a share of the mean rate to its end
 constexpr double kShortest = 1e-6;  // blend [s]: a rate that must change at once
 constexpr double kStop = 1e-3;      // slowest rate of the own time
+// A steep swing: shares of its duration until which it only rises, and from which on it is over its place; least share of the time left that its way
+// there takes.
+constexpr double kRises = 0.15, kThere = 0.88, kLeastLeft = 0.3;
 
 Motion1 sum(const Motion1& a, const Motion1& b) { return {a.p + b.p, a.v + b.v, a.a + b.a}; }
 
@@ -52,11 +55,13 @@ void OwnTime::retime(double t, double left) {
   rate_ = std::max((way - blend_ * (0.4 * from_.v + 0.05 * blend_ * from_.a)) / (left - 0.4 * blend_), kStop);
 }
 
-void SwingFoot::begin(const Vec3& p, const Mat3& R, double duration, double z_land, double height, double speed) {
+void SwingFoot::begin(const Vec3& p, const Mat3& R, double duration, double z_land, double height, double speed,
+                      bool steep) {
   time_ = OwnTime(duration);
   duration_ = duration;
   z_land_ = z_land;
   sinks_ = false;
+  steep_ = steep;
   const double top = std::max(p.z(), z_land) + height;
   // Between ends at different heights, the longer way takes more time: at the top both cubics have one acceleration.
   const double up = std::sqrt(top - p.z()), down = std::sqrt(top - z_land);
@@ -98,9 +103,16 @@ const SwingTarget& SwingFoot::update(double t, double dt, const Foothold& footho
       now[i] = sum(sinking_[i].at(t - since_), fade_out({0.0, 0.0, beside_[i]}, sunk_ - since_, t - since_));
   } else {
     const Motion1 own = time_.at(t);
-    const double left = duration_ - own.p, step = time_.step(t, dt);
+    const bool rises = steep_ && own.p < kRises * duration_;
+    double left = duration_ - own.p;
+    if (steep_) left = std::max(kThere * duration_ - own.p, kLeastLeft * left);
+    const double step = time_.step(t, dt);
     to_ = {foothold.p.x(), foothold.p.y(), next_[2].p + wrap_angle(foothold.yaw - next_[2].p)};
     for (int i = 0; i < 3; ++i) {
+      if (rises) {
+        now[i] = {next_[i].p, 0.0, 0.0};
+        continue;
+      }
       const Cubic spline(next_[i].p, next_[i].v, to_[i], 0.0, left);
       now[i] = in_time({next_[i].p, next_[i].v, spline.at(0.0).a}, own);
       next_[i] = spline.at(std::min(step, left));

@@ -8,6 +8,8 @@ namespace {
 
 constexpr double kCosSpun = -0.75;  // a foot that has turned by 2.4 rad while it stood alone has lost its grip
 
+constexpr double kLands = 0.36;  // a foot that is to land within this catches one that tips [T_c]
+
 double angle(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)); }
 
 Interval hull(const Interval& a, const Interval& b) { return {std::min(a.lower, b.lower), std::max(a.upper, b.upper)}; }
@@ -43,7 +45,7 @@ const ForeseenFall& FallPrediction::update(double t, const GaitGenerator& gait, 
   Tc_ = pendulum.Tc();
   region_.set_pendulum(pendulum);
   gap_ = gap_of(gait, in);
-  watch_foot(gait.output(), in);
+  watch_foot(gait.output(), in, gait.schedule().touch_down());
   if (fall_) return fall_;
   const auto holds = [&](bool now, double& since) {
     since = now ? since + dt_ : 0.0;
@@ -59,13 +61,15 @@ const ForeseenFall& FallPrediction::update(double t, const GaitGenerator& gait, 
   return fall_;
 }
 
-void FallPrediction::watch_foot(const GaitOutput& gait, const GaitInput& in) {
+void FallPrediction::watch_foot(const GaitOutput& gait, const GaitInput& in, double touch_down) {
   const bool alone = gait.phase.phase == Phase::kSingleSupport;
+  // Where the ground goes down, the sole turns over the edge until the other foot lands.
+  const bool lands = touch_down - in.t < kLands * Tc_;
   const Mat3& R = in.R_sole[gait.support];
   if (alone && (!alone_ || gait.support != support_)) forward_ = R.topLeftCorner<2, 1>();
   alone_ = alone;
   support_ = gait.support;
-  cos_tip_ = alone ? R.col(2).dot(up_[gait.support]) : 1.0;
+  cos_tip_ = alone && !lands ? R.col(2).dot(up_[gait.support]) : 1.0;
   cos_turn_ = alone ? forward_.dot(R.topLeftCorner<2, 1>()) : 1.0;
 }
 

@@ -60,6 +60,7 @@ WalkingController::WalkingController(const Model& model, const RobotDescription&
       whole_{bounds_of(robot_, kLeft, settings_, whole_fraction(settings_)),
              bounds_of(robot_, kRight, settings_, whole_fraction(settings_))},
       height_(height_over_soles(robot_.dynamics()), robot_.dynamics().gravity.norm(), settings_),
+      ground_(settings_, height_.z_c(), height_.pendulum().Tc()),
       gait_(settings_, profile_, sole_, bounds_, whole_),
       reach_(robot_, settings_, gait_.cadence()),
       command_limit_(robot_, settings_, gait_.cadence(), reach_, sole_, bounds_[kLeft], height_.z_c()),
@@ -101,6 +102,7 @@ WalkingController::WalkingController(const Model& model, const RobotDescription&
   reference_.set_pendulum(height_.pendulum());
   const Dynamics& dyn = robot_.dynamics();
   height_.reset(height_.z_c(), dyn.com.z() - height_.z_c());
+  ground_.reset(height_.ground());
   start_ = gait_input(0.0, dyn.com.head<2>(), dyn.dcom.head<2>());
   require_startable();
 }
@@ -116,8 +118,9 @@ GaitInput WalkingController::gait_input(double t, const Vec2& com, const Vec2& d
   in.R_sole = {left.R_WF, right.R_WF};
   in.catch_up = tracker_.catch_up(gait_.output().orbit_ahead);
   in.behind = gait_.output().orbit_ahead - tracker_.integral();
-  // A foot that feels the ground lands at the height of the stance foot, not at that of the ground at the start.
-  if (settings_.gait.touch_down == TouchDown::kTime) in.ground = height_.ground();
+  // On uneven ground a foot lands at the height of the stance foot, as far as is known.
+  in.uneven = ground_.uneven();
+  if (settings_.gait.touch_down != TouchDown::kContact && !in.uneven) in.ground = ground_.height();
   return in;
 }
 
@@ -226,6 +229,7 @@ void WalkingController::start() {
   const Dynamics& dyn = robot_.dynamics();
   const double z_c = height_over_soles(dyn);
   height_.reset(z_c, dyn.com.z() - z_c);
+  ground_.reset(height_.ground());
   reference_.set_pendulum(height_.pendulum());
   com_des_ = dyn.com.head<2>();
   dcom_des_ = dyn.dcom.head<2>();
@@ -288,8 +292,7 @@ const CycleOutput& WalkingController::update(const Data& data, Terms terms, cons
       robot_.read(state_);
     static_cast<Sensed&>(state_) = sensed;
     // Contacts that the caller does not know are read from the last step. They are gone where mj_step1 has run.
-    if (settings_.gait.touch_down == TouchDown::kContact && terms == Terms::kCompute)
-      feel(measure_contact(robot_, data));
+    if (settings_.gait.touch_down != TouchDown::kTime && terms == Terms::kCompute) feel(measure_contact(robot_, data));
     cycle(state_);
   } else {
     clock_.hold(state_.time);
@@ -334,7 +337,7 @@ void WalkingController::cycle(const State& state) {
   const bool measured = settings_.com.state == ComState::kMeasured;
   const Vec2 com = measured ? Vec2(dyn.com.head<2>()) : com_des_,
              dcom = measured ? Vec2(dyn.dcom.head<2>()) : dcom_des_;
-  const ForcedPendulum forced = forced_pendulum(dyn, height_.ground());
+  const ForcedPendulum forced = forced_pendulum(dyn, ground_.height());
   if (height_.weigh(forced.gravity)) follow_pendulum();
   if (Vec3 live; mailbox_.take(live)) {
     out_.command_limit = bites_;
@@ -343,6 +346,7 @@ void WalkingController::cycle(const State& state) {
   GaitInput in = gait_input(t, com + forced.shift, dcom);
   in.contact << state.contact[kLeft], state.contact[kRight];
   const GaitOutput& gait = gait_.update(in);
+  ground_.update(gait, dyn);
   out_.foreseen = foresight_.update(state.time, gait_, in, height_.pendulum());
   out_.fall_gap = foresight_.gap();
   if (height_.update(t, gait.stretch, gait_.plan(), reach_, gait_.cadence().slow.period())) follow_pendulum();
@@ -387,9 +391,9 @@ void WalkingController::command_tasks(const Cycle& cycle) {
   const GaitOutput& gait = *cycle.gait;
   const int n = dyn.joints();
   const MotionReference& ref = body_.reference();
-  com_task_.p.z() = height_.z();
-  com_task_.v.z() = height_.dz();
-  com_task_.a.z() = height_.ddz();
+  com_task_.p.z() = height_.z() + (ground_.height() - height_.ground());
+  com_task_.v.z() = height_.dz() + ground_.drise();
+  com_task_.a.z() = height_.ddz() + ground_.ddrise();
   f_star_.com.z() = com_task_.acceleration(dyn).z();
   trunk_task_.turn = turning(body_.at(n), body_.at(n + 1), body_.at(n + 2));
   Mat3 R_WH = Mat3::Identity();
@@ -444,8 +448,8 @@ void WalkingController::decide_reference(const Cycle& cycle) {
   out_.zmp_slope = r.zmp_slope;
   out_.zmp_modified = r.modified;
   out_.iterations = r.iterations;
-  out_.com_des << com_des_, height_.z();
-  out_.dcom_des << dcom_des_, height_.dz();
+  out_.com_des << com_des_, com_task_.p.z();
+  out_.dcom_des << dcom_des_, com_task_.v.z();
   out_.v_des << cycle.R_WH.transpose() * dcom_des_, gait.v_plan.z();
   if (gait.at_rest)
     tracker_.reset();
@@ -499,6 +503,8 @@ void WalkingController::note(const Cycle& cycle) {
   out_.support = static_cast<int>(side_sign(gait.support));
   out_.step = gait.phase.step;
   out_.phase_time = gait.phase.time;
+  out_.ground = ground_.height();
+  out_.uneven = ground_.uneven();
   out_.w_T = gait.w_T;
   out_.foothold << gait.foothold.p, gait.foothold.yaw;
   out_.zmp_lower = cycle.to_W(gait.room.lower);

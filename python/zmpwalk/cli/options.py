@@ -24,6 +24,7 @@ __all__ = [
     "robot_option",
     "settings_options",
     "size_of",
+    "terrain_option",
     "unsure",
     "walk_options",
 ]
@@ -139,6 +140,13 @@ push_option = click.option(
     multiple=True,
     metavar="T:DURATION:BODY:FX,FY,FZ",
     help="Force [N] on a body from T for DURATION [s]: 3.0:0.08:torso:0,50,0; no BODY is the trunk. Repeatable.",
+)
+
+terrain_option = click.option(
+    "--terrain",
+    metavar="GROUND",
+    help="Ground in place of the floor: flat, slope:DEG[,AZIMUTH], blocks:CM[,SEED], plates:DEG[,SEED], step:CM[,AT], "
+    "stairs:RISExTREAD (cm), waves[:CM], soft:SECONDS. The controller is not told.",
 )
 
 

@@ -12,7 +12,7 @@ from ..errors import InputError
 from ..files import as_input_error
 from ..simulation import simulate
 from ..trace import Trace
-from .options import PathName, push_option, size_of, walk_options
+from .options import PathName, push_option, size_of, terrain_option, walk_options
 from .terminal import STOOD, Progress
 
 __all__ = ["command"]
@@ -22,6 +22,7 @@ __all__ = ["command"]
 @click.argument("trace", type=PathName(), required=False)
 @walk_options
 @push_option
+@terrain_option
 @click.option(
     "--out",
     type=PathName(),
@@ -47,6 +48,7 @@ def command(
     duration: float,
     settings: Any,
     push: tuple[str, ...],
+    terrain: str | None,
     out: Path,
     speed: float,
     fps: int,
@@ -68,13 +70,15 @@ def command(
     width, height = size_of(size)
     camera = None if azimuth is None else {"azimuth": azimuth}
     if trace is not None:
-        given = _given("robot", "profile", "duration", "law", "file", "footsteps", "changes", "push")
+        given = _given("robot", "profile", "duration", "law", "file", "footsteps", "changes", "push", "terrain")
         if given:
             raise InputError(f"{given[0]} is for a new walk; {trace} is one already")
         walked = Trace.load(trace)
     else:
         with Progress(duration) as progress:
-            walked = simulate(robot, profile, duration, settings, progress.at, push=push, on_fall="go_on")
+            walked = simulate(
+                robot, profile, duration, settings, progress.at, push=push, on_fall="go_on", terrain=terrain
+            )
     with Progress(walked.duration, "film") as progress:
         try:
             with as_input_error(out):

@@ -16,8 +16,9 @@ from ..motion import JointMotion
 from ..profiles import profile_of
 from ..robots import examine
 from ..simulation import ON_FALL, Outside, WalkingController, check_duration, run
+from ..terrain import load_scene
 from ..trace import Trace
-from .options import PathName, format_option, push_option, unsure, walk_options
+from .options import PathName, format_option, push_option, terrain_option, unsure, walk_options
 from .terminal import FELL, INTERRUPTED, STOOD, Progress, listened, new_console, number
 
 __all__ = ["command"]
@@ -41,6 +42,7 @@ MISMATCH = 0.002  # feet off the planned velocity by this are worth a warning [m
     "may be repeated.",
 )
 @click.option("--simulated", help="The robot that is simulated, where the controller's --robot is not the true one.")
+@terrain_option
 @click.option("--seed", type=int, default=0, show_default=True, help="Of all that is random.")
 @click.option(
     "--on-fall",
@@ -62,6 +64,7 @@ def command(
     push: tuple[str, ...],
     uncertain: tuple[str, ...],
     simulated: str | None,
+    terrain: str | None,
     seed: int,
     on_fall: str,
     out: Path | None,
@@ -74,10 +77,12 @@ def command(
     velocity = profile_of(profile)
     check_duration(duration)
     model, found = examine(robot)
+    if terrain is not None:
+        model, _ = load_scene(robot, terrain)
     name = robot if robot.isidentifier() else found.description.name
     controller = WalkingController(model, found.description, settings, velocity)
     controller.move(None if motion is None else JointMotion.from_csv(motion))
-    outside = Outside.of(controller, seed, push, on_fall, unsure(uncertain), simulated)
+    outside = Outside.of(controller, seed, push, on_fall, unsure(uncertain), simulated, terrain)
     outside.simulation(controller)
     duration = check_duration(duration, controller)
     mismatch = controller.plan_mismatch(duration)

@@ -11,7 +11,7 @@ import os
 import weakref
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Mapping, Union
+from typing import Any, Callable, Iterable, Mapping, Union
 
 import mujoco
 import numpy as np
@@ -46,6 +46,21 @@ class Source:
         from .source_files import compiled  # what reads XML is slow to import
 
         return compiled(self.files)
+
+    def on_ground(self, geoms: Callable[[Mapping[str, str]], Iterable[Mapping[str, str]]]) -> Source:
+        """The same scene with other geoms in place of its floor, which are all geoms of type plane.
+
+        Args:
+            geoms: the attributes of each geom of the new ground, from those of the floor.
+
+        Raises:
+            ModelError: the scene has no floor.
+
+        Usage: `source.on_ground(lambda floor: [{"type": "box", "size": "9 9 1", "pos": "0 0 -1"}])`
+        """
+        from .source_files import on_ground
+
+        return Source(on_ground(self.files, geoms))
 
 
 Given = Union[str, os.PathLike, "tuple[str, Mapping[str, bytes]]", Source, None]

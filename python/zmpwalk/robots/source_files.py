@@ -6,7 +6,7 @@ import os
 import tempfile
 import xml.etree.ElementTree as ET
 from pathlib import Path
-from typing import Mapping
+from typing import Callable, Iterable, Mapping
 
 import mujoco
 
@@ -14,7 +14,7 @@ from ..errors import ModelError
 from .mjcf import parts, read_model
 from .urdf import mesh_file
 
-__all__ = ["compiled", "contents"]
+__all__ = ["compiled", "contents", "on_ground"]
 
 FILES = ("file", "fileright", "fileleft", "fileup", "filedown", "filefront", "fileback")  # attributes that name a file
 COMPILER_FOLDERS = ("meshdir", "texturedir", "assetdir")
@@ -64,6 +64,39 @@ def compiled(files: Mapping[str, bytes]) -> mujoco.MjModel:
             return read_model(main)
         except ModelError as error:
             raise ModelError(str(error).replace(f"{folder}{os.sep}", "")) from None
+
+
+def on_ground(
+    files: Mapping[str, bytes], geoms: Callable[[Mapping[str, str]], Iterable[Mapping[str, str]]]
+) -> dict[str, bytes]:
+    """The files of a scene with other geoms in place of its floor: see `Source.on_ground`.
+
+    Usage: `on_ground(contents(Path("scene.xml")), lambda floor: [])`
+    """
+    changed, floor = dict(files), None
+    for name in files:
+        root = ET.fromstring(files[name]) if name.lower().endswith((".xml", ".mjcf")) else ET.Element("none")
+        planes = [
+            (parent, geom)
+            for world in root.iter("worldbody")
+            for parent in (world, *world.iter("body"))
+            for geom in parent.findall("geom")
+            if geom.get("type") == "plane"
+        ]
+        for parent, geom in planes:
+            parent.remove(geom)
+            floor = geom.attrib if floor is None else floor
+        if planes:
+            changed[name] = ET.tostring(root)
+    if floor is None:
+        raise ModelError("its scene has no floor, a geom of type plane, that a terrain could replace")
+    main = next(iter(files))
+    root = ET.fromstring(changed[main])
+    world = ET.SubElement(root, "worldbody")
+    for attributes in geoms(floor):
+        ET.SubElement(world, "geom", dict(attributes))
+    changed[main] = ET.tostring(root)
+    return changed
 
 
 def _named_by_mjcf(path: Path) -> list[Path] | None:

@@ -28,6 +28,7 @@ struct GaitInput {
   /// into a soft contact.
   double ground = kNaN;
   Vec2 contact = Vec2::Constant(kNaN);  ///< whether each foot touches the ground: 1 yes, 0 no, NaN unknown
+  bool uneven = false;                  ///< the ground has been felt to be uneven
 };
 
 /// The place of a sole with centre `p` and axes `R`.
@@ -65,6 +66,7 @@ struct GaitOutput {
   Foothold foothold;  ///< where the swing foot is to land, W; NaN in double support
   double stretch =
       0.0;  ///< largest distance along the ground of an ankle from below its hip, around this double support or the next [m]
+  bool off_time = false;     ///< the swing foot has met the ground off its planned time, in this cycle
   SwingTarget swing_target;  ///< desired motion of the swing sole; it has a meaning in single support only
 };
 
@@ -120,6 +122,7 @@ class GaitGenerator {
   Began begin_phase(const GaitInput& in);  // what begins with this cycle
   void begin_walk(const GaitInput& in);
   bool has_landed(const GaitInput& in);
+  bool is_felt(const GaitInput& in, bool due);  // the landing, where touch_down is "felt"
   void move_swing_foot(const GaitInput& in);
   void move_ahead(const GaitInput& in);
   void move_sideways(const GaitInput& in);
@@ -176,6 +179,7 @@ class GaitGenerator {
   bool retimed_ = false;            // by the caller, in this phase: its time is theirs, and stays
   Vec2 pushed_way_ = Vec2::Zero();  // way of the DCM that pushes have caused and that is not forgotten yet, W [m]
   double pushed_ = 0.0;             // how much that counts: 0 not at all, 1 fully
+  double off_plan_ = 0.0;           // how far the DCM is from its plan on uneven ground, as a share of the sole
   double planned_landing_ = 0.0;    // time at which the foot in the air lands if nothing disturbs it [s]
   double xi_planned_ = 0.0;         // where the lateral orbit has the DCM now, from the support foot along H's y [m]
   double xi_offset_ = 0.0;  // where it has the DCM when the next foot takes over, from that foot along H's y [m]

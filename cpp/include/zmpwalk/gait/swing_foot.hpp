@@ -47,7 +47,9 @@ class SwingFoot {
   /// @param p, R      sole at lift-off   @param duration of the single support [s]
   /// @param z_land    height at which the sole lands [m]   @param height  of the top over the higher of both ends [m]
   /// @param speed     at which it comes down there [m/s]; in proportion faster where the step is cut short
-  void begin(const Vec3& p, const Mat3& R, double duration, double z_land, double height, double speed = 0.0);
+  /// @param steep     the foot rises before it goes ahead, and is over its place before it comes down
+  void begin(const Vec3& p, const Mat3& R, double duration, double z_land, double height, double speed = 0.0,
+             bool steep = false);
   /// From the next `update` on, at `t` [s] since lift-off, the foot is to land `left` [s] > 0 later.
   void replan(double t, double left) { time_.retime(t, left); }
   /// The foot met no ground: from the next `update` on, at `t` [s], it goes on down for `time` [s], ever slower.
@@ -71,7 +73,7 @@ class SwingFoot {
   std::array<Motion1, 3> next_;  // of the splines in x, y, yaw, in the cycle to come, by own time
   // A foot that met no ground goes on from `since_` until `sunk_`, along cubics in x, y, yaw, z, and with what is left of the
   // accelerations `beside_` that it had beside theirs.
-  bool sinks_ = false;
+  bool sinks_ = false, steep_ = false;
   double since_ = 0.0, sunk_ = 0.0;
   std::array<Cubic, 4> sinking_;
   std::array<double, 4> beside_{};

@@ -56,9 +56,10 @@ inline const Choices<Iteration>& choices(Iteration) {
 }
 
 /// What ends a step.
-enum class TouchDown { kTime, kContact };
+enum class TouchDown { kFelt, kTime, kContact };
 inline const Choices<TouchDown>& choices(TouchDown) {
-  static const Choices<TouchDown> all{{TouchDown::kTime, "time"}, {TouchDown::kContact, "contact"}};
+  static const Choices<TouchDown> all{
+      {TouchDown::kFelt, "felt"}, {TouchDown::kTime, "time"}, {TouchDown::kContact, "contact"}};
   return all;
 }
 

@@ -34,7 +34,7 @@ struct GaitSettings {
   double cadence_sideways = 3.0, cadence_turning = kNaN;
   bool stand = true;
   double stand_gain = 1.0, closing_distance = kNaN, closing_turn = 0.05;
-  TouchDown touch_down = TouchDown::kTime;
+  TouchDown touch_down = TouchDown::kFelt;
   double touch_down_share = 0.5, touch_down_time = kNaN, touch_down_speed = kNaN;
 
   template <class Self, class Visitor>
@@ -76,19 +76,22 @@ struct GaitSettings {
       "A walk ends with a step that sets the foot beside the other one. That step is taken only where the headings "
       "of the path and of the standing foot differ by no more than this.");
     v(g.touch_down, "touch_down", "touch_down", "", must_be::kAnything, {},
-      "What ends a step: 'time' alone, or 'contact': the step ends when the swing foot is felt to touch the ground, "
-      "before or after the planned time. A foot whose contact is not known, or was never felt, ends its step by time.");
+      "What ends a step. 'felt': by time, but a foot that meets the ground well before its time stays there, and once "
+      "feet have found the ground uneven it is felt for; then height and swing follow the ground. 'time' alone; or "
+      "'contact': each step ends when the swing foot is felt to touch. A foot whose contact is not known, or was never "
+      "felt, ends its step by time.");
     v(g.touch_down_share, "touch_down_share", "touch_down_share", "", must_be::kShare, {},
       "Share of the single support before which a contact of the swing foot does not end the step: a foot that has "
-      "just lifted may scuff the ground. Only where touch_down is 'contact'.");
+      "just lifted may scuff the ground. Not where touch_down is 'time'.");
     v(g.touch_down_time, "touch_down_time", "touch_down_time", "s", must_be::kNotNegative, {0.18, of::kTimeConstant},
-      "How long a swing foot that meets no ground at its planned time goes on down, until the step ends by time. Only "
-      "where touch_down is 'contact'.");
+      "How long a swing foot that meets no ground at its planned time goes on down, until the step ends by time. Not "
+      "where touch_down is 'time'.");
     v(g.touch_down_speed, "touch_down_speed", "touch_down_speed", "m/s", must_be::kNotNegative,
-      {0.02, of::kFroudeSpeed},
-      "Speed at which a swing foot comes down onto the ground. A foot that meets none at its planned time goes on at "
-      "this speed, ever slower: within touch_down_time by two thirds of touch_down_speed times touch_down_time. Only "
-      "where touch_down is 'contact'; by time, a foot lands at rest.");
+      {0.037, of::kFroudeSpeed},
+      "Speed at which a swing foot comes down onto the ground where touch_down is 'contact', and on ground that has "
+      "been "
+      "felt to be uneven. A foot that meets none at its planned time goes on at this speed, ever slower: within "
+      "touch_down_time by two thirds of touch_down_speed times touch_down_time. By time, a foot lands at rest.");
   }
 };
 

@@ -34,7 +34,7 @@ class FallPrediction {
   double stand_gap(const GaitInput& in, const Vec2& ahead, const Vec2& xi) const;
   /// Where the ZMP may be in the sole of `side`, in the axes of H, from `origin` [m].
   std::array<Interval, 2> room(const GaitInput& in, Side side, const Vec2& ahead, const Vec2& origin) const;
-  void watch_foot(const GaitOutput& gait, const GaitInput& in);
+  void watch_foot(const GaitOutput& gait, const GaitInput& in, double touch_down);
 
   bool on_, steps_;
   double margin_, confirm_time_, cos_foot_tilt_, dt_, wait_time_;

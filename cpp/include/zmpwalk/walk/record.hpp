@@ -55,6 +55,8 @@ struct CycleOutput {
   VecX tau;
   Vec12 f_c = Vec12::Constant(kNaN);
   Vec3 disturbance = Vec3::Zero(), attitude_bias = Vec3::Zero();
+  double ground = kNaN;
+  bool uneven = false;
   double torque_ratio = 0.0;
   bool saturated = false, damped = false;
   ActiveLimits limits;
@@ -172,6 +174,10 @@ void visit_columns(Visitor&& v) {
     "a mass that differs from the model's.");
   v("attitude_bias", &Out::attitude_bias, kXyz, "rad", "B",
     "Rotation vector of the bias that was found in the measured attitude and is taken out of it.");
+  v("ground", &Out::ground, kOne, "m", "W",
+    "Height of the ground that the walk follows: that of the soles at the start until the ground is felt to be "
+    "uneven.");
+  v("uneven", &Out::uneven, kOne, "", "", "Whether the ground has been felt to be uneven.");
   v("torque_ratio", &Out::torque_ratio, kOne, "", "",
     "Largest ratio of a joint's torque to its limit, before limits are kept or torques cut.");
   v("saturated", &Out::saturated, kOne, "", "",

@@ -28,6 +28,7 @@
 #include "zmpwalk/walk/damped_crouch.hpp"
 #include "zmpwalk/walk/fall_prediction.hpp"
 #include "zmpwalk/walk/fall_watch.hpp"
+#include "zmpwalk/walk/felt_ground.hpp"
 #include "zmpwalk/walk/leg_reach.hpp"
 #include "zmpwalk/walk/observer.hpp"
 #include "zmpwalk/walk/record.hpp"
@@ -164,6 +165,7 @@ class WalkingController {
   WalkSettings settings_;
   std::array<ZmpBounds, 2> bounds_, whole_;  // usual, and when pushed
   ComHeight height_;
+  FeltGround ground_;
   GaitGenerator gait_;
   LegReach reach_;
   CommandLimit command_limit_;

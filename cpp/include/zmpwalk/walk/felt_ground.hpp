@@ -1,0 +1,38 @@
+#pragma once
+
+#include "zmpwalk/control/dynamics.hpp"
+#include "zmpwalk/gait/gait_generator.hpp"
+#include "zmpwalk/settings/settings.hpp"
+
+namespace zmpwalk {
+
+/// What the walk finds out about the ground by its feet: whether it is uneven, and how high it is.
+///
+/// Ground counts as uneven once a foot meets it off its planned time, or a foot that carries stands higher or lower than the ground that is
+/// followed. On even ground nothing is followed, and a walk keeps its bits. On uneven ground height h and its rate follow the sole of the foot that
+/// carries by a critically damped low-pass, h'' = (h_sole - h) / T^2 - 2 h' / T. Ground that stays level counts as even again after some steps.
+class FeltGround {
+ public:
+  /// @param settings resolved   @param z_c height of the COM over the soles [m]   @param Tc time constant of the pendulum [s]
+  FeltGround(const WalkSettings& settings, double z_c, double Tc);
+
+  /// The walk starts anew on even ground whose height in W is `height` [m].
+  void reset(double height);
+  /// Goes on by one cycle, from what the gait has decided in it.
+  void update(const GaitOutput& gait, const Dynamics& dynamics);
+
+  bool uneven() const { return uneven_; }
+  double height() const { return start_ + h_; }  ///< of the ground that is followed, W [m]
+  double rise() const { return h_; }             ///< since the start [m]
+  double drise() const { return dh_; }           ///< [m/s]
+  double ddrise() const { return ddh_; }         ///< [m/s^2]
+
+ private:
+  bool feels_;
+  double dt_, band_, time_, calm_time_;
+  double start_ = 0.0;
+  bool uneven_ = false;
+  double h_ = 0.0, dh_ = 0.0, ddh_ = 0.0, level_ = 0.0, calm_ = 0.0;
+};
+
+}  // namespace zmpwalk
