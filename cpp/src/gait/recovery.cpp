@@ -9,9 +9,8 @@ namespace zmpwalk {
 namespace {
 
 // Distances of the DCM from its plan, as shares of the sole's half length or half width.
-constexpr double kCalm = 0.3;       // up to here the ZMP keeps to its usual bounds: changes of speed make as much
-constexpr double kByCommand = 0.4;  // so much further a change of the command may take it sideways; ahead, any way
-constexpr double kAlarm = 0.7;      // from here on it may use the whole sole
+constexpr double kCalm = 0.3;   // up to here the ZMP keeps to its usual bounds: changes of speed make as much
+constexpr double kAlarm = 0.7;  // from here on it may use the whole sole
 
 constexpr double kNarrow = 0.5;  // share of the width that the ZMP gives up where the length matters more
 constexpr double kSide = 0.4;    // the ZMP at this share of the half width, or less, is nowhere near a corner
@@ -82,7 +81,7 @@ void GaitGenerator::feel_pushes(const GaitInput& in) {
     pushed_way_ += Tc * (in.dcom - in.dcom_expected) - settings_.control.dt / (kForget * Tc) * pushed_way_;
   const Vec2 way = axes_of(out_.ahead_S).transpose() * pushed_way_, whole = whole_[out_.support].upper;
   pushed_ = smooth_step((way.cwiseAbs().cwiseQuotient(whole).maxCoeff() - kFelt) / (kCounts - kFelt));
-  // An edge of the ground pushes as well, unnoticed: the ZMP stays at it, wherever the torque would have it. A push that is felt too weakly shows in the DCM.
+  // An edge of the ground pushes as well, unnoticed: the ZMP stays at it, wherever the torque would have it.
   if (off_plan_ > kCalm && !out_.at_rest && !starting_)
     pushed_ = std::max(pushed_, smooth_step((off_plan_ - kCalm) / (kAlarm - kCalm)));
 }
@@ -111,8 +110,7 @@ double GaitGenerator::decided_share(const GaitInput& in) const {
 
 void GaitGenerator::recover(const GaitInput& in) {
   out_.urgency = 0.0;
-  const Vec2 off_now = off_plan(in).cwiseAbs();
-  off_plan_ = in.uneven ? off_now.maxCoeff() : off_now.y() - kByCommand;
+  off_plan_ = in.uneven ? off_plan(in).cwiseAbs().maxCoeff() : 0.0;
   if (pushed_ == 0.0) return;
   adjust_time(in);
   // Sideways the whole sole serves at once: the foot that could catch the robot there is seldom in time.
