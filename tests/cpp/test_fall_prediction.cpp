@@ -113,3 +113,25 @@ BOOST_AUTO_TEST_CASE(the_crouch_bends_both_legs_towards_their_limits_and_damps_n
   BOOST_CHECK_GT(crouch.crouch_torque(still, tau), 1.0);
   CHECK_NEAR(tau, -robot.torque_limit(), 1e-12);
 }
+
+BOOST_AUTO_TEST_CASE(the_hips_of_the_crouch_turn_a_leaning_trunk_upright_and_nothing_else_turns_it) {
+  const Robot robot(mahru(), describe(mahru()));
+  const DampedCrouch crouch(robot, robot.timestep());
+  Dynamics leaning = robot.dynamics();
+  leaning.q = crouch.posture();
+  leaning.dq.setZero();
+  VecX tau = VecX::Zero(robot.joints());
+  for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(0.6, 0.8, 0)}) {
+    leaning.R_WB = Eigen::AngleAxisd(0.1, axis).toRotationMatrix();
+    crouch.crouch_torque(leaning, tau);
+    Vec3 on_trunk = Vec3::Zero();
+    for (const Side side : kSides)
+      for (const int i : {0, 1, 2}) {
+        const int j = robot.leg_joints()[side][i];
+        on_trunk -= tau[j] * leaning.sole[side].J.col(6 + j).tail<3>();
+        tau[j] = 0.0;
+      }
+    BOOST_CHECK_LT(on_trunk.dot(axis), -1.0);
+    CHECK_NEAR(tau.norm(), 0.0, 1e-12);
+  }
+}

@@ -30,9 +30,10 @@ def tilt(trace):
 
 
 @pytest.mark.parametrize("impulse", [0.27, 0.4, 0.5])
-def test_the_fall_is_foreseen_before_the_trunk_tilts(impulse):
+def test_the_fall_is_foreseen_before_the_trunk_tilts_and_no_joint_is_whirled(impulse):
     trace = pushed(impulse)
-    assert trace.fall.foreseen < trace.t[tilt(trace) > 10][0] - 0.13
+    assert trace.fall.foreseen < trace.t[tilt(trace) > 10][0] - 0.2
+    assert np.abs(trace.qvel[trace.t > trace.fall.foreseen + 0.002, 6:]).max() < 10.0
 
 
 def test_the_announcement_says_when_and_why(lost):

@@ -91,7 +91,7 @@ bool ComputedTerms::is_of_qvel(const Data& d, int body) const {
 }
 
 void ComputedTerms::require(const Data& d) const {
-  bool moved = base_moved(d), sped = base_sped(d);
+  bool moved = base_moved(d), sped = base_sped(d), unsure = false;
   for (const Motors& each : motors_) {
     const auto off = [&](const double* of_motors, const double* of_joints) {
       return (ConstVecMap(of_motors + each.actuator, each.count) -
@@ -100,9 +100,13 @@ void ComputedTerms::require(const Data& d) const {
                  .maxCoeff() > each.tolerance;
     };
     moved |= off(d.actuator_length, d.qpos + each.qpos);
-    sped |= off(d.actuator_velocity, d.qvel + each.dof);
+    unsure |= off(d.actuator_velocity, d.qvel + each.dof);
   }
   for (const int body : unmotored_) sped |= !is_of_qvel(d, body);
+  // Where the model's actuation is switched off, newer versions leave the motors without a speed.
+  if (unsure)
+    for (int body = root_body_ + 1; body < m_.nbody; ++body)
+      if (m_.body_rootid[body] == root_body_ && m_.body_dofnum[body] > 0) sped |= !is_of_qvel(d, body);
   if (moved || sped)
     throw InputError(std::string("data's computed terms belong to another state than its ") +
                      (moved ? "qpos" : "qvel") +

@@ -1,13 +1,17 @@
 #pragma once
 
+#include <array>
+
 #include "zmpwalk/control/dynamics.hpp"
 #include "zmpwalk/robot/robot.hpp"
 
 namespace zmpwalk {
 
-/// What the joints of a robot do that cannot keep from falling: the legs bend, and every joint is damped, so that the robot comes down low and slowly.
+/// What the joints of a robot do that cannot keep from falling: the legs bend, every joint is damped, and the hips hold the trunk upright, so that the
+/// robot comes down low and slowly.
 ///
-///     tau_j = k_j (q_crouch - q) - d_j dq,  k_j = d_j / kTime,  cut to the joint's limit.
+///     tau_j = k_j (q_crouch - q) - d_j dq,  k_j = d_j / kTime,  cut to the joint's limit; at the hips also - d_j a_j . (e / kUpright - omega),
+/// where a_j is the joint's axis, e the rotation vector that would set the trunk upright and omega its angular velocity, all in W.
 /// It knows no contacts and solves nothing, so that it gives a torque in any position. A damper takes a joint's whole torque at kFullSpeed, or less
 /// where a light limb would be shaken by a torque that is held for a control period.
 class DampedCrouch {
@@ -23,6 +27,7 @@ class DampedCrouch {
 
  private:
   VecX q_, d_, limit_;
+  std::array<std::array<int, 3>, 2> hip_{};  // the first three joints of each leg
 };
 
 }  // namespace zmpwalk
