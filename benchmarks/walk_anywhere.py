@@ -365,7 +365,7 @@ def ladder_figure(lines):
         below.set(
             ylabel="largest torque\n[% of its limit]",
             xlabel="speed [m/s]",
-            ylim=(0, 112),
+            ylim=(0, 1.12 * max(100, *torque)),
             xlim=(min(LADDER) - 0.02, None),
         )
         above.legend(loc="upper left")
