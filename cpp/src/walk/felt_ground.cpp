@@ -5,7 +5,8 @@
 namespace zmpwalk {
 namespace {
 
-constexpr double kBand = 0.002;  // share of z_c by which soles on even ground differ in height
+constexpr double kBand = 0.005;    // share of z_c by which soles on even ground differ in height
+constexpr double kFlat = 0.99995;  // cosine of the tilt up to which a sole stands flat: 0.01 rad
 // Times in T_c.
 constexpr double kFollow = 0.36;  // time constant of the height that is followed
 constexpr double kCalm = 18.0;    // so long a ground must stay level to count as even
@@ -29,7 +30,10 @@ void FeltGround::update(const GaitOutput& gait, const Dynamics& dynamics) {
   if (!feels_) return;
   const FrameState& sole = dynamics.sole[gait.support];
   const double off = sole.p_WF.z() - start_;
-  if (gait.off_time || std::abs(off - level_) > band_) {
+  const auto differs = [&](Side side) { return std::abs(dynamics.sole[side].p_WF.z() - start_ - level_) > band_; };
+  // A sole that rocks on an edge of its own lifts its middle, and a foot that meets even ground early meets it at its height.
+  const bool flat = sole.R_WF(2, 2) > kFlat;
+  if ((gait.off_time && (differs(kLeft) || differs(kRight))) || (flat && differs(gait.support))) {
     uneven_ = true;
     calm_ = 0.0;
     level_ = off;
