@@ -311,6 +311,10 @@ class FallSettingsDict(typing.TypedDict, total=False):
     confirm_time: float
 
 class WalkSettings:
+    """
+    Everything about a walk that can be set: gains, times, bounds and laws, in groups. Settings that are not given take a default, most of which scale with the robot. `help(WalkSettings.__init__)` lists them all.
+    """
+
     __hash__: typing.ClassVar[None] = None
     @staticmethod
     def __repr__(settings: WalkSettings) -> str: ...
@@ -340,7 +344,10 @@ class WalkSettings:
         All settings by their one word, as plain Python values.
         """
     @property
-    def lateral_feedback(self) -> bool: ...
+    def lateral_feedback(self) -> bool:
+        """
+        It is zmp.lateral_law now: true stands for 'orbit', false for 'paper'.
+        """
     @lateral_feedback.setter
     def lateral_feedback(self, arg1: typing.Any) -> None: ...
     @property
@@ -528,7 +535,7 @@ class WalkSettings:
                 mode (footsteps): What decides where a foot lands: 'tied' follows the COM, which keeps the walk balanced; 'absolute' takes the places of the plan; 'paper' and 'printed' take the step lengths of section IV, corrected and as printed; 'list' takes steps.lengths. Python and files take a list of lengths here as well. One of 'tied', 'absolute', 'paper', 'printed', 'list'. Default: 'tied'.
                 lengths (step_lengths): How far each step lands ahead of the standing foot, one number per step; the last one repeats. Tied footsteps do not use it. Unit: m. Default: [].
                 width (step_width): Distance of the two feet from each other, sideways. Unit: m. Default: as the feet stand at the start.
-                clearance (foot_clearance): Least gap that a step leaves between the edges of the two soles, sideways. Unit: m. Default: 0.03 z_c.
+                clearance (foot_clearance): Least gap that a step leaves between the edges of the two feet, sideways. Unit: m. Default: 0.03 z_c.
                 shift (foothold_reach): How far a tied foothold moves from its nominal place to keep the robot balanced, whatever the foot in the air does. A longer way, and any way of a robot that has been pushed, is bounded by the reach of the leg and by where the foot in the air can still get to. Unit: m. Default: 0.25 z_c.
                 filter_time (foothold_time): Time constant of the low-pass through which a tied foothold moves while the foot is in the air. Unit: s. Default: 0.18 T_c.
                 give (foothold_give): A COM that is faster or slower than planned needs another foothold or another ZMP. Up to this share of its bounds the ZMP over the next foot makes up for it; only the rest moves a tied foothold. With 0 each long step would be followed by a short one. Default: 0.3.
@@ -999,7 +1006,7 @@ class WalkSettings:
     def step_width(self, value: float) -> None: ...
     @property
     def foot_clearance(self) -> float:
-        """steps.clearance: Least gap that a step leaves between the edges of the two soles, sideways. Unit: m. Default: 0.03 z_c."""
+        """steps.clearance: Least gap that a step leaves between the edges of the two feet, sideways. Unit: m. Default: 0.03 z_c."""
     @foot_clearance.setter
     def foot_clearance(self, value: float) -> None: ...
     @property
@@ -1677,7 +1684,7 @@ class StepsSettings:
     def width(self, value: float) -> None: ...
     @property
     def clearance(self) -> float:
-        """Least gap that a step leaves between the edges of the two soles, sideways. Unit: m. Default: 0.03 z_c."""
+        """Least gap that a step leaves between the edges of the two feet, sideways. Unit: m. Default: 0.03 z_c."""
     @clearance.setter
     def clearance(self, value: float) -> None: ...
     @property
@@ -2645,11 +2652,20 @@ class RobotDescription:
             ModelError: as check().
         """
     @property
-    def left(self) -> Foot: ...
+    def left(self) -> Foot:
+        """
+        the left foot, a `Foot`
+        """
     @property
-    def name(self) -> str: ...
+    def name(self) -> str:
+        """
+        what the robot is called in figures and traces
+        """
     @property
-    def right(self) -> Foot: ...
+    def right(self) -> Foot:
+        """
+        the right foot, a `Foot`
+        """
     @property
     def root_joint(self) -> str:
         """
@@ -2671,7 +2687,10 @@ class RobotDescription:
         start posture by joint name [rad or m]
         """
     @property
-    def stand_keyframe(self) -> str: ...
+    def stand_keyframe(self) -> str:
+        """
+        keyframe of the model that the start posture was read from; empty where it was given in numbers
+        """
     @property
     def torque_limits(self) -> dict[str, float]:
         """
@@ -2866,7 +2885,10 @@ class Dynamics:
     @gravity.setter
     def gravity(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]) -> None: ...
     @property
-    def joints(self) -> int: ...
+    def joints(self) -> int:
+        """
+        joints, nv - 6
+        """
     @property
     def left(self) -> FrameState:
         """
@@ -2880,7 +2902,10 @@ class Dynamics:
     @mass.setter
     def mass(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
     @property
-    def nv(self) -> int: ...
+    def nv(self) -> int:
+        """
+        velocities: 6 of the base, and one of each joint
+        """
     @property
     def omega_WB(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
@@ -2931,7 +2956,10 @@ class Robot:
         of the free joint in qvel
         """
     @property
-    def joint_names(self) -> list[str]: ...
+    def joint_names(self) -> list[str]:
+        """
+        names of the joints, in the order of torques and joint velocities
+        """
     @property
     def leg_joints(self) -> typing.Annotated[list[list[int]], "FixedSize(2)"]:
         """

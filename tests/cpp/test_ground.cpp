@@ -29,12 +29,14 @@ WalkSettings settings(TouchDown touch_down = TouchDown::kFelt) {
 /// The ground below a robot whose left foot carries.
 struct Standing {
   explicit Standing(TouchDown touch_down = TouchDown::kFelt)
-      : s(settings(touch_down)), ground(s, kRobot.com_height, kPendulum.Tc()), dynamics(6) {
+      : s(settings(touch_down)), ground(s, kSole, kRobot.com_height, kPendulum.Tc()), dynamics(6) {
     ground.reset(0.3);
     gait.support = kLeft;
+    gait.swing = kRight;
     sole_at(0.0);
+    sole_at(0.0, kRight);
   }
-  void sole_at(double rise) { dynamics.sole[kLeft].p_WF.z() = 0.3 + rise; }
+  void sole_at(double rise, Side side = kLeft) { dynamics.sole[side].p_WF.z() = 0.3 + rise; }
   void run(double time) {
     for (long k = std::lround(time / s.control.dt); k > 0; --k) ground.update(gait, dynamics);
   }
@@ -116,9 +118,12 @@ BOOST_AUTO_TEST_CASE(height_goes_to_that_of_the_foot_that_carries_as_a_criticall
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_landing_off_its_time_makes_level_ground_uneven_until_some_steps_found_it_level) {
+BOOST_AUTO_TEST_CASE(a_landing_off_its_time_at_another_height_makes_ground_uneven_until_some_steps_found_it_level) {
   Standing on;
   on.gait.off_time = true;
+  on.run(on.s.control.dt);
+  BOOST_CHECK(!on.ground.uneven());  // early onto ground that is where it should be: the foot was too low
+  on.sole_at(0.01, kRight);
   on.run(on.s.control.dt);
   BOOST_CHECK(on.ground.uneven());
   CHECK_NEAR(on.ground.height(), 0.3, 0.0);
@@ -127,6 +132,23 @@ BOOST_AUTO_TEST_CASE(a_landing_off_its_time_makes_level_ground_uneven_until_some
   BOOST_CHECK(on.ground.uneven());
   on.run(2.0);
   BOOST_CHECK(!on.ground.uneven());
+}
+
+BOOST_AUTO_TEST_CASE(a_sole_that_rocks_on_its_own_edge_makes_no_ground_uneven) {
+  for (const double tilt : {0.08, -0.08}) {
+    for (const Vec3& axis : {Vec3(0, 1, 0), Vec3(1, 0, 0)}) {
+      Standing on;
+      Mat3& R = on.dynamics.sole[kLeft].R_WF;
+      R = Eigen::AngleAxisd(tilt, axis).toRotationMatrix();
+      // Its edge stays on the ground, its middle rises.
+      on.sole_at(0.5 * (std::abs(R(2, 0)) * kSole.length + std::abs(R(2, 1)) * kSole.width));
+      on.run(1.0);
+      BOOST_CHECK(!on.ground.uneven());
+      on.sole_at(0.0);  // one edge is in the ground: it has been found lower
+      on.run(on.s.control.dt);
+      BOOST_CHECK(on.ground.uneven());
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(ground_that_stays_level_at_another_height_is_even_there) {

@@ -5,16 +5,16 @@
 namespace zmpwalk {
 namespace {
 
-constexpr double kBand = 0.005;    // share of z_c by which soles on even ground differ in height
-constexpr double kFlat = 0.99995;  // cosine of the tilt up to which a sole stands flat: 0.01 rad
+constexpr double kBand = 0.005;  // share of z_c by which soles on even ground differ in height
 // Times in T_c.
 constexpr double kFollow = 0.36;  // time constant of the height that is followed
 constexpr double kCalm = 18.0;    // so long a ground must stay level to count as even
 
 }  // namespace
 
-FeltGround::FeltGround(const WalkSettings& settings, double z_c, double Tc)
-    : feels_(settings.gait.touch_down == TouchDown::kFelt),
+FeltGround::FeltGround(const WalkSettings& settings, const SoleSize& sole, double z_c, double Tc)
+    : sole_(sole),
+      feels_(settings.gait.touch_down == TouchDown::kFelt),
       dt_(settings.control.dt),
       band_(kBand * z_c),
       time_(kFollow * Tc),
@@ -28,17 +28,20 @@ void FeltGround::reset(double height) {
 
 void FeltGround::update(const GaitOutput& gait, const Dynamics& dynamics) {
   if (!feels_) return;
-  const FrameState& sole = dynamics.sole[gait.support];
-  const double off = sole.p_WF.z() - start_;
-  const auto differs = [&](Side side) { return std::abs(dynamics.sole[side].p_WF.z() - start_ - level_) > band_; };
-  // A sole that rocks on an edge of its own lifts its middle, and a foot that meets even ground early meets it at its height.
-  const bool flat = sole.R_WF(2, 2) > kFlat;
-  if ((gait.off_time && (differs(kLeft) || differs(kRight))) || (flat && differs(gait.support))) {
+  // A sole that rocks on its own edge over even ground lifts its middle, but not its lowest corner.
+  const auto lowest = [&](Side side) {
+    const Mat3& R = dynamics.sole[side].R_WF;
+    return dynamics.sole[side].p_WF.z() - 0.5 * (std::abs(R(2, 0)) * sole_.length + std::abs(R(2, 1)) * sole_.width);
+  };
+  const auto differs = [&](Side side) { return std::abs(lowest(side) - start_ - level_) > band_; };
+  // A foot that meets even ground early meets it at its height.
+  if (differs(gait.support) || (gait.off_time && differs(gait.swing))) {
     uneven_ = true;
     calm_ = 0.0;
-    level_ = off;
+    level_ = lowest(gait.support) - start_;
   }
   if (!uneven_) return;
+  const double off = dynamics.sole[gait.support].p_WF.z() - start_;
   ddh_ = ((off - h_) / time_ - 2.0 * dh_) / time_;
   h_ += dh_ * dt_;
   dh_ += ddh_ * dt_;

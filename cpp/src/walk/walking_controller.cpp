@@ -60,7 +60,7 @@ WalkingController::WalkingController(const Model& model, const RobotDescription&
       whole_{bounds_of(robot_, kLeft, settings_, whole_fraction(settings_)),
              bounds_of(robot_, kRight, settings_, whole_fraction(settings_))},
       height_(height_over_soles(robot_.dynamics()), robot_.dynamics().gravity.norm(), settings_),
-      ground_(settings_, height_.z_c(), height_.pendulum().Tc()),
+      ground_(settings_, sole_, height_.z_c(), height_.pendulum().Tc()),
       gait_(settings_, profile_, sole_, bounds_, whole_),
       reach_(robot_, settings_, gait_.cadence()),
       command_limit_(robot_, settings_, gait_.cadence(), reach_, sole_, bounds_[kLeft], height_.z_c()),

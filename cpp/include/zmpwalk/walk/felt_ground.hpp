@@ -8,13 +8,13 @@ namespace zmpwalk {
 
 /// What the walk finds out about the ground by its feet: whether it is uneven, and how high it is.
 ///
-/// Ground counts as uneven once a foot meets it off its planned time, or a foot that carries stands higher or lower than the ground that is
-/// followed. On even ground nothing is followed, and a walk keeps its bits. On uneven ground height h and its rate follow the sole of the foot that
+/// Ground counts as uneven once the lowest corner of the foot that carries, or of a foot that meets it off its planned time, is higher or lower
+/// than the ground that is followed. On even ground nothing is followed, and a walk keeps its bits. On uneven ground height h and its rate follow the sole of the foot that
 /// carries by a critically damped low-pass, h'' = (h_sole - h) / T^2 - 2 h' / T. Ground that stays level counts as even again after some steps.
 class FeltGround {
  public:
-  /// @param settings resolved   @param z_c height of the COM over the soles [m]   @param Tc time constant of the pendulum [s]
-  FeltGround(const WalkSettings& settings, double z_c, double Tc);
+  /// @param settings resolved   @param sole of either foot   @param z_c height of the COM over the soles [m]   @param Tc time constant of the pendulum [s]
+  FeltGround(const WalkSettings& settings, const SoleSize& sole, double z_c, double Tc);
 
   /// The walk starts anew on even ground whose height in W is `height` [m].
   void reset(double height);
@@ -28,6 +28,7 @@ class FeltGround {
   double ddrise() const { return ddh_; }         ///< [m/s^2]
 
  private:
+  SoleSize sole_;
   bool feels_;
   double dt_, band_, time_, calm_time_;
   double start_ = 0.0;
