@@ -24,9 +24,7 @@ struct TrunkTask : Task {
   double soft_angle = 0.17;  ///< angle at which a soft trunk is twice as stiff [rad]
 
   /// Rotation vector from where the trunk is to where it should be, world axes (3,) [rad]. @param R_WH heading frame
-  Vec3 error(const Dynamics& dyn, const Mat3& R_WH) const {
-    return orientation_error(R_WH * turn.R * R_HB, dyn.R_WB);
-  }
+  Vec3 error(const Dynamics& dyn, const Mat3& R_WH) const { return orientation_error(R_WH * turn.R * R_HB, dyn.R_WB); }
   /// Commanded angular acceleration, world axes. @param R_WH heading frame   @param rate at which the heading frame turns [rad/s]
   Vec3 acceleration(const Dynamics& dyn, const Mat3& R_WH, double rate) const {
     const Vec3 heading_rate(0.0, 0.0, rate);
