@@ -151,6 +151,20 @@ BOOST_AUTO_TEST_CASE(a_sole_that_rocks_on_its_own_edge_makes_no_ground_uneven) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(the_zmp_goes_against_the_rotation_of_a_sole_that_carries_alone_on_uneven_ground) {
+  Standing on;
+  on.dynamics.sole[kLeft].velocity << 0, 0, 0, 0.4, -1.0, 2.0;
+  on.gait.phase.phase = Phase::kSingleSupport;
+  CHECK_NEAR(on.ground.steadying(on.gait, on.dynamics), Vec2::Zero(), 0.0);
+  on.sole_at(0.03);
+  on.run(on.s.control.dt);
+  // Toes that rise (w_y < 0) are pressed by a ZMP ahead, a left edge that rises (w_x > 0) by one to the left.
+  const double D = 0.05 * kRobot.com_height * kPendulum.Tc();
+  CHECK_NEAR(on.ground.steadying(on.gait, on.dynamics), D * Vec2(1.0, 0.4), 1e-15);
+  on.gait.phase.phase = Phase::kDoubleSupport;
+  CHECK_NEAR(on.ground.steadying(on.gait, on.dynamics), Vec2::Zero(), 0.0);
+}
+
 BOOST_AUTO_TEST_CASE(ground_that_stays_level_at_another_height_is_even_there) {
   Standing on;
   on.sole_at(0.03);

@@ -64,7 +64,7 @@ Reference ComReference::decide(const Cycle& cycle, const VelocityTracker& tracke
   // What velocity tracking alone asks for.
   const bool by_pendulum = !tracker.law().follows_plan && modifies_;
   const Vec2 com = cycle.to_W(cycle.com_S), dcom = R_WS * cycle.dcom_S;
-  Vec2 r = cycle.to_S(reference_zmp(gait, *cycle.pendulum, tracker, com, dcom));
+  Vec2 r = cycle.to_S(reference_zmp(gait, *cycle.pendulum, tracker, com, dcom) + cycle.steadying);
   Desired c = under(r, cycle);
   if (!by_pendulum &&
       !gait.at_rest) {  // the desired velocity is the planned one, which stands: nothing to feed forward

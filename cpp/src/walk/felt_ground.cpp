@@ -6,6 +6,8 @@ namespace zmpwalk {
 namespace {
 
 constexpr double kBand = 0.005;  // share of z_c by which soles on even ground differ in height
+constexpr double kSteady =
+    0.05;  // ZMP against the rotation of a rocking sole, share of z_c T_c: at half of it soles rock twice as fast
 // Times in T_c.
 constexpr double kFollow = 0.36;  // time constant of the height that is followed
 constexpr double kCalm = 18.0;    // so long a ground must stay level to count as even
@@ -18,7 +20,8 @@ FeltGround::FeltGround(const WalkSettings& settings, const SoleSize& sole, doubl
       dt_(settings.control.dt),
       band_(kBand * z_c),
       time_(kFollow * Tc),
-      calm_time_(kCalm * Tc) {}
+      calm_time_(kCalm * Tc),
+      damping_(kSteady * z_c * Tc) {}
 
 void FeltGround::reset(double height) {
   start_ = height;
@@ -51,6 +54,12 @@ void FeltGround::update(const GaitOutput& gait, const Dynamics& dynamics) {
   uneven_ = false;
   start_ += h_;
   level_ = h_ = dh_ = ddh_ = 0.0;
+}
+
+Vec2 FeltGround::steadying(const GaitOutput& gait, const Dynamics& dynamics) const {
+  if (!uneven_ || gait.phase.phase != Phase::kSingleSupport) return Vec2::Zero();
+  const Vec6& v = dynamics.sole[gait.support].velocity;
+  return {-damping_ * v[4], damping_ * v[3]};
 }
 
 }  // namespace zmpwalk

@@ -350,7 +350,8 @@ void WalkingController::cycle(const State& state) {
   out_.foreseen = foresight_.update(state.time, gait_, in, height_.pendulum());
   out_.fall_gap = foresight_.gap();
   if (height_.update(t, gait.stretch, gait_.plan(), reach_, gait_.cadence().slow.period())) follow_pendulum();
-  const Cycle cycle = cycle_of(t, dyn, gait, height_.pendulum(), com, dcom, forced.shift);
+  Cycle cycle = cycle_of(t, dyn, gait, height_.pendulum(), com, dcom, forced.shift);
+  cycle.steadying = ground_.steadying(gait, dyn);
 
   // What the whole body is to do, apart from the COM's x and y.
   body_.update(t);

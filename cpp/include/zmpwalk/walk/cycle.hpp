@@ -19,6 +19,7 @@ struct Cycle {
   Mat2 R_WS = Mat2::Identity(), R_WH = Mat2::Identity();  ///< axes of S and of H in W, horizontal part
   /// Shift of the COM by which the pendulum knows of known forces (`forced_pendulum`), W [m]. The COM in S, current and measured, has it.
   Vec2 shift = Vec2::Zero();
+  Vec2 steadying = Vec2::Zero();  ///< shift of the reference ZMP against the rotation of a sole that rocks, W [m]
   Vec2 com_S = Vec2::Zero(), dcom_S = Vec2::Zero();            ///< "current" COM state of (16), (17) [m, m/s]
   Vec2 com_meas_S = Vec2::Zero(), dcom_meas_S = Vec2::Zero();  ///< measured COM state [m, m/s]
 

@@ -21,6 +21,11 @@ class FeltGround {
   /// Goes on by one cycle, from what the gait has decided in it.
   void update(const GaitOutput& gait, const Dynamics& dynamics);
 
+  /// Shift of the reference ZMP against the rotation of a stance sole that rocks on an edge of uneven ground, W (2,) [m]:
+  /// -D (w_y, -w_x), with the angular velocity w of the sole in W. Beside an edge the torque would turn the sole faster and faster, and the impacts
+  /// at either side would make the pendulum throw it back.
+  Vec2 steadying(const GaitOutput& gait, const Dynamics& dynamics) const;
+
   bool uneven() const { return uneven_; }
   double height() const { return start_ + h_; }  ///< of the ground that is followed, W [m]
   double rise() const { return h_; }             ///< since the start [m]
@@ -30,7 +35,7 @@ class FeltGround {
  private:
   SoleSize sole_;
   bool feels_;
-  double dt_, band_, time_, calm_time_;
+  double dt_, band_, time_, calm_time_, damping_;
   double start_ = 0.0;
   bool uneven_ = false;
   double h_ = 0.0, dh_ = 0.0, ddh_ = 0.0, level_ = 0.0, calm_ = 0.0;
