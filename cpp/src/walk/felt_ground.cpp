@@ -5,9 +5,11 @@
 namespace zmpwalk {
 namespace {
 
-constexpr double kBand = 0.005;  // share of z_c by which soles on even ground differ in height
-constexpr double kSteady =
-    0.05;  // ZMP against the rotation of a rocking sole, share of z_c T_c: at half of it soles rock twice as fast
+// Shares of z_c by which soles on even ground differ in height.
+constexpr double kHigher = 0.005;
+constexpr double kLower = 0.010;  // feet with soft contacts sink where they are jumped on
+// ZMP against the rotation of a rocking sole, share of z_c T_c: at half of it soles rock twice as fast.
+constexpr double kSteady = 0.05;
 // Times in T_c.
 constexpr double kFollow = 0.36;  // time constant of the height that is followed
 constexpr double kCalm = 18.0;    // so long a ground must stay level to count as even
@@ -18,7 +20,8 @@ FeltGround::FeltGround(const WalkSettings& settings, const SoleSize& sole, doubl
     : sole_(sole),
       feels_(settings.gait.touch_down == TouchDown::kFelt),
       dt_(settings.control.dt),
-      band_(kBand * z_c),
+      higher_(kHigher * z_c),
+      lower_(kLower * z_c),
       time_(kFollow * Tc),
       calm_time_(kCalm * Tc),
       damping_(kSteady * z_c * Tc) {}
@@ -36,7 +39,10 @@ void FeltGround::update(const GaitOutput& gait, const Dynamics& dynamics) {
     const Mat3& R = dynamics.sole[side].R_WF;
     return dynamics.sole[side].p_WF.z() - 0.5 * (std::abs(R(2, 0)) * sole_.length + std::abs(R(2, 1)) * sole_.width);
   };
-  const auto differs = [&](Side side) { return std::abs(lowest(side) - start_ - level_) > band_; };
+  const auto differs = [&](Side side) {
+    const double rise = lowest(side) - start_ - level_;
+    return rise > higher_ || rise < -lower_;
+  };
   // A foot that meets even ground early meets it at its height.
   if (differs(gait.support) || (gait.off_time && differs(gait.swing))) {
     uneven_ = true;

@@ -72,6 +72,10 @@ void DisturbanceObserver::update(const Vec3& dcom, bool frozen) {
   made_up_for_.z() = beyond(found_.z(), tolerance_, weight_most_ * gravity_);
 }
 
+Vec2 DisturbanceObserver::steady() const {
+  return {beyond(calm_.x(), tolerance_, force_most_), beyond(calm_.y(), tolerance_, force_most_)};
+}
+
 Disturbance DisturbanceObserver::disturbance() const {
   return {made_up_for_.head<2>(), 1.0 - made_up_for_.z() / gravity_};
 }

@@ -347,6 +347,9 @@ void WalkingController::cycle(const State& state) {
   in.contact << state.contact[kLeft], state.contact[kRight];
   const GaitOutput& gait = gait_.update(in);
   ground_.update(gait, dyn);
+  // A force that has not lasted is over soon: the fall is foreseen without it.
+  const Vec2 recent = recent_force();
+  in.com -= (dyn.com.z() - ground_.height()) / forced.gravity * recent;
   out_.foreseen = foresight_.update(state.time, gait_, in, height_.pendulum());
   out_.fall_gap = foresight_.gap();
   if (height_.update(t, gait.stretch, gait_.plan(), reach_, gait_.cadence().slow.period())) follow_pendulum();
@@ -371,8 +374,16 @@ void WalkingController::cycle(const State& state) {
   observer_.command({f_xy_.x(), f_xy_.y(), f_star_.com.z()});
   whole_body_.solve(f_xy_, result_);
   limit_torque(gait);
-  dcom_expected_ = dyn.dcom.head<2>() + settings_.control.dt / dyn.mass * horizontal_force(dyn, gait.standing);
+  // Nor does it explain what the COM does: a weak push would pass for a steady force, and after it the walk would not know that it was pushed.
+  dcom_expected_ =
+      dyn.dcom.head<2>() + settings_.control.dt * (horizontal_force(dyn, gait.standing) / dyn.mass - recent);
   note(cycle);
+}
+
+Vec2 WalkingController::recent_force() const {
+  // On uneven ground the edges push, and what they add up to is no push from outside.
+  if (ground_.uneven()) return Vec2::Zero();
+  return observer_.made_up_for().head<2>() - observer_.steady();
 }
 
 Vec2 WalkingController::horizontal_force(const Dynamics& dyn, const std::array<bool, 2>& standing) const {

@@ -9,8 +9,9 @@ namespace zmpwalk {
 /// What the walk finds out about the ground by its feet: whether it is uneven, and how high it is.
 ///
 /// Ground counts as uneven once the lowest corner of the foot that carries, or of a foot that meets it off its planned time, is higher or lower
-/// than the ground that is followed. On even ground nothing is followed, and a walk keeps its bits. On uneven ground height h and its rate follow the sole of the foot that
-/// carries by a critically damped low-pass, h'' = (h_sole - h) / T^2 - 2 h' / T. Ground that stays level counts as even again after some steps.
+/// than the ground that is followed. On even ground nothing is followed, and a walk keeps its bits. On uneven ground height h and its rate follow the
+/// sole of the foot that carries by a critically damped low-pass, h'' = (h_sole - h) / T^2 - 2 h' / T. Ground that stays level counts as even again
+/// after some steps.
 class FeltGround {
  public:
   /// @param settings resolved   @param sole of either foot   @param z_c height of the COM over the soles [m]   @param Tc time constant of the pendulum [s]
@@ -35,7 +36,7 @@ class FeltGround {
  private:
   SoleSize sole_;
   bool feels_;
-  double dt_, band_, time_, calm_time_, damping_;
+  double dt_, higher_, lower_, time_, calm_time_, damping_;
   double start_ = 0.0;
   bool uneven_ = false;
   double h_ = 0.0, dh_ = 0.0, ddh_ = 0.0, level_ = 0.0, calm_ = 0.0;

@@ -30,6 +30,9 @@ class DisturbanceObserver {
 
   const Vec3& found() const { return found_; }              ///< d (3,) [m/s^2]
   const Vec3& made_up_for() const { return made_up_for_; }  ///< d_c (3,) [m/s^2]
+  /// The part of d_c that has lasted, horizontal, W (2,) [m/s^2]. A push that is too weak to be told from a steady force is in d_c for a while, but
+  /// hardly in here.
+  Vec2 steady() const;
   Disturbance disturbance() const;
   /// Root mean square of the noise that the speed seems to have, along one axis [m/s].
   double noise() const;
@@ -40,7 +43,7 @@ class DisturbanceObserver {
   Vec3 last_ = Vec3::Zero(), commanded_ = Vec3::Zero();
   Vec3 passing_ = Vec3::Zero(), found_ = Vec3::Zero(), made_up_for_ = Vec3::Zero();
   double square_ = 0.0;       // mean of (e - p dt)^2, of three axes
-  Vec3 calm_ = Vec3::Zero();  // found before the last push
+  Vec3 calm_ = Vec3::Zero();  // d over a longer time: found before the last push, and steady
   double held_ = 0.0;         // time for which that push is still waited for to pass [s]
 };
 

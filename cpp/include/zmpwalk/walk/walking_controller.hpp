@@ -152,6 +152,8 @@ class WalkingController {
   void soften_trunk(double urgency, const Mat3& R_WH);
   void decide_reference(const Cycle& cycle);
   // That of the ground and of known forces on the robot, W [N].
+  /// What the observer makes up for that has not lasted yet, W (2,) [m/s^2].
+  Vec2 recent_force() const;
   Vec2 horizontal_force(const Dynamics& dyn, const std::array<bool, 2>& standing) const;
   void limit_torque(const GaitOutput& gait);
   void cut_torque(const GaitOutput& gait);
