@@ -72,6 +72,18 @@ BOOST_AUTO_TEST_CASE(a_steady_force_is_found_and_made_up_for_but_for_the_toleran
   BOOST_CHECK(com.observer.disturbance().none());  // once it is gone
 }
 
+BOOST_AUTO_TEST_CASE(what_is_made_up_for_is_steady_once_it_has_lasted) {
+  const WalkSettings s = settings();
+  Com com(s);
+  const Vec3 d(0.8, 0.0, 0.0);
+  com.run(0.1, d);  // as long as a push
+  const double pushed = com.observer.made_up_for().x();
+  BOOST_CHECK_GT(pushed, 0.3);
+  BOOST_CHECK_LT(com.observer.steady().x(), 0.3 * pushed);
+  com.run(2.0, d);
+  CHECK_NEAR(com.observer.steady(), Vec2(d.x() - s.observer.tolerance, 0.0), 1e-2);
+}
+
 BOOST_AUTO_TEST_CASE(what_is_made_up_for_is_bounded) {
   const WalkSettings s = settings([](WalkSettings& w) { w.observer.push = 100.0; });
   Com com(s);

@@ -222,6 +222,35 @@ BOOST_AUTO_TEST_CASE(a_foot_that_lands_sooner_keeps_the_dcm_nearer) {
   BOOST_CHECK_LT(farthest(true), 0.8 * farthest(false));
 }
 
+BOOST_AUTO_TEST_CASE(a_foot_that_lands_ahead_of_a_push_carries_at_once) {
+  // Share of the double support until the foot that has landed carries the ZMP; it lands where it was planned to.
+  const auto switched = [](Direction direction, double speed) {
+    TestWalk walk(0.2);
+    walk.run_to_mid_swing(8);
+    while (walk.gait.schedule().touch_down() - walk.in.t > 0.02) walk.step();
+    walk.push(direction, speed);
+    while (walk.phase() == Phase::kSingleSupport) walk.step();
+    while (walk.gait.output().support == walk.gait.output().swing) walk.step();
+    const GaitPhase& phase = walk.gait.output().phase;
+    return phase.phase == Phase::kDoubleSupport ? phase.time / phase.duration : 1.0;
+  };
+  const double quiet = switched(kForwards, 0.0);
+  BOOST_CHECK_GT(quiet, 0.3);
+  BOOST_CHECK_EQUAL(switched(kForwards, 0.05), quiet);
+  BOOST_CHECK_LT(switched(kForwards, 0.5), 0.1);
+  // Where the DCM goes away from that foot, the other one holds it better.
+  BOOST_CHECK_GT(switched(kOutwards, 0.5), 0.3);
+  BOOST_CHECK_GT(switched(kBackwards, 0.5), 0.3);
+}
+
+BOOST_AUTO_TEST_CASE(a_push_before_the_landing_is_caught_by_the_foot_that_lands) {
+  TestWalk walk(0.2);
+  walk.run_to_mid_swing(8);
+  while (walk.gait.schedule().touch_down() - walk.in.t > 0.02) walk.step();
+  walk.push(kForwards, 0.55);
+  BOOST_CHECK_LT(walk.farthest(8.0), kLost);
+}
+
 BOOST_AUTO_TEST_CASE(a_robot_that_stands_steps_where_the_dcm_leaves_its_feet_and_stands_again) {
   for (const Vec2& push : {Vec2(0.5, 0), Vec2(-0.5, 0)}) {
     TestWalk walk(0.0), fixed(0.0, false);

@@ -73,6 +73,15 @@ def test_the_walk_bears_a_steady_force_and_finds_it(name):
     assert np.all(trace.disturbance[trace.t > 9.5] == 0.0)
 
 
+def test_a_steady_force_forwards_is_borne_from_any_instant_of_a_step_on():
+    instants = 5.25 + 0.1 * np.arange(8)
+    runs = [
+        {"profile": PROFILE, "duration": t + 5.0, "push": [(t, 3.0, None, (60, 0, 0))], "on_fall": "go_on"}
+        for t in instants.tolist()
+    ]
+    assert [trace.meta["fell"] for trace in simulate_batch(runs)] == [False] * len(runs)
+
+
 def test_a_torque_about_the_vertical_is_borne():
     trace = simulate(profile=PROFILE, duration=13.35, push=[(5.25, 0.1, None, (0, 0, 0, 0, 0, 100))], on_fall="go_on")
     assert zmpwalk.judge(trace, 5.25).survived

@@ -80,6 +80,7 @@ void GaitGenerator::reset(const GaitInput& start, const LinearInvertedPendulum& 
   felt_ = {false, false};
   pushed_way_.setZero();
   pushed_ = off_plan_ = 0.0;
+  alone_ = false;
   footsteps_.end_step();
   out_ = GaitOutput{};
   const std::array<Foothold, 2> feet = feet_of(start);
@@ -351,7 +352,7 @@ void GaitGenerator::take_orbit(ForwardOrbit& orbit, const ZmpBounds& sole, doubl
 
 ZmpBounds GaitGenerator::room(const GaitInput& in, const std::array<ZmpBounds, 2>& bounds,
                               const ZmpBounds& support) const {
-  if (!out_.standing[kLeft] || !out_.standing[kRight]) return support;
+  if (!out_.standing[kLeft] || !out_.standing[kRight] || alone_) return support;
   const Side there = other(out_.support);
   return support.widened(bounds[there], (in.p_sole[there].head<2>() - out_.origin).dot(left_of(out_.ahead_S)));
 }
@@ -449,7 +450,7 @@ void GaitGenerator::move_sideways(const GaitInput& in) {
                                      out_.phase.duration - out_.phase.time);
     return;
   }
-  if (single) starting_ = false;
+  if (single) starting_ = alone_ = false;
   if (period_ != orbit_period_ || Tc != orbit_Tc_) {
     orbit_growth_ = pendulum_.growth(period_);
     orbit_period_ = period_;

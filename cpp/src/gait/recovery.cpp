@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "zmpwalk/gait/capture_region.hpp"
 #include "zmpwalk/gait/gait_generator.hpp"
 
 namespace zmpwalk {
@@ -22,12 +23,16 @@ constexpr double kForget = 10.0;  // time constant with which a push is forgotte
 
 constexpr double kPushed = 0.5;       // urgency from which the robot counts as pushed
 constexpr double kFreezeLate = 0.95;  // share of the single support until which a pushed robot moves its foothold
+constexpr double kBeside = 0.5;  // of `steps.aside_most`: so far beside a foot the DCM may come that carries at once
 
 // Times in T_c.
 constexpr double kDecided = 0.36;  // a foot that is to land this soon keeps its time, so that it lands calmly
 constexpr double kTakenUp = 0.07;  // within this a new landing time is taken up; noise would shake the foot otherwise
 constexpr double kSame = 0.004;    // landing times that differ by less are the same
 constexpr int kLift = 3;  // control cycles of double support in which a standing robot shifts its load before it steps
+
+/// How far `x` along the sole lies outside of where the ZMP may be [m].
+double outside(const ZmpBounds& sole, double x) { return Interval{sole.lower.x(), sole.upper.x()}.outside(x); }
 
 /// 0 up to 0, 1 from 1 on, smooth in between.
 double smooth_step(double x) {
@@ -104,8 +109,23 @@ double GaitGenerator::urgency(const Vec2& off) const {
 
 double GaitGenerator::decided_share(const GaitInput& in) const {
   const double share = out_.phase.time / out_.phase.duration;
-  if (pushed_ == 0.0 || began_ == Began::kSingleSupport || urgency(off_plan(in)) < kPushed) return share;
+  if (pushed_ == 0.0 || began_ == Began::kSingleSupport) return share;
+  // A force that goes on leaves the COM on its orbit, but ahead of its time. What tells is where the DCM will be over the next foot.
+  const double xi = xi_next_ - (footsteps_.target().p - out_.origin).dot(ahead_next_);
+  if (outside(bounds_[out_.swing], xi) == 0.0 && urgency(off_plan(in)) < kPushed) return share;
   return share * std::min(settings_.steps.freeze / kFreezeLate, 1.0);
+}
+
+bool GaitGenerator::is_nearer_landed(const GaitInput& in, double off) const {
+  const Side landed = other(out_.support);
+  const double Tc = pendulum_.Tc();
+  const Vec2 xi = in.com + Tc * in.dcom - out_.origin, foot = in.p_sole[landed].head<2>() - out_.origin;
+  const double x = xi.dot(out_.ahead_M), there = foot.dot(out_.ahead_M);
+  if (off * there <= 0.0 || outside(whole_[landed], x - there) >= outside(whole_[out_.support], x)) return false;
+  // The ZMP then leaves the other foot for good: beside this one the DCM runs away until the next step, which must reach it.
+  const double beside = side_sign(out_.support) * (xi - foot).dot(left_of(out_.ahead_M)) - whole_[landed].upper.y();
+  const double until = out_.phase.duration - out_.phase.time + settings_.steps.least_time;
+  return beside * std::exp(until / Tc) <= kBeside * settings_.steps.aside_most;
 }
 
 void GaitGenerator::recover(const GaitInput& in) {
@@ -117,6 +137,10 @@ void GaitGenerator::recover(const GaitInput& in) {
   const ZmpBounds whole = room(in, whole_, whole_[out_.support]);
   const Vec2 off = off_plan(in);
   const double share = out_.urgency = urgency(off);
+  if (before_switch() && share >= kPushed && is_nearer_landed(in, off.x())) {
+    lateral_.switch_now();
+    alone_ = true;
+  }
   const Vec2 shares(share, pushed_);
   out_.room.lower += shares.cwiseProduct(whole.lower - out_.room.lower);
   out_.room.upper += shares.cwiseProduct(whole.upper - out_.room.upper);

@@ -132,6 +132,9 @@ class GaitGenerator {
   void feel_pushes(const GaitInput& in);
   void recover(const GaitInput& in);
   void adjust_time(const GaitInput& in);  // of the landing
+  /// In double support before the switch: whether the DCM, pushed by `off` ahead or back, is nearer to where the ZMP may be in the foot that has landed
+  /// than in the one that has stood. Then that foot is to carry at once: each moment over the other one drives the DCM further away.
+  bool is_nearer_landed(const GaitInput& in, double off) const;
   /// Share of the single support that counts against `steps.freeze`: a pushed robot decides on its foothold later.
   double decided_share(const GaitInput& in) const;
   /// How far the DCM has left its plan, ahead and aside, in shares of half the room that the ZMP has there.
@@ -180,6 +183,7 @@ class GaitGenerator {
   Vec2 pushed_way_ = Vec2::Zero();  // way of the DCM that pushes have caused and that is not forgotten yet, W [m]
   double pushed_ = 0.0;             // how much that counts: 0 not at all, 1 fully
   double off_plan_ = 0.0;           // how far the DCM is from its plan on uneven ground, as a share of the sole
+  bool alone_ = false;              // the foot that has landed carries at once, and the other one nothing
   double planned_landing_ = 0.0;    // time at which the foot in the air lands if nothing disturbs it [s]
   double xi_planned_ = 0.0;         // where the lateral orbit has the DCM now, from the support foot along H's y [m]
   double xi_offset_ = 0.0;  // where it has the DCM when the next foot takes over, from that foot along H's y [m]

@@ -36,6 +36,8 @@ class LateralMotion {
   void begin_cycle(bool double_support_began);
   /// Notes that the double support is over. A switch that is still due happens at once.
   void end_double_support();
+  /// Lets the support switch with the next cycle, whatever the law says.
+  void switch_now() { switch_ = Switch::kDecided; }
 
   /// Reference ZMP about the support's sole centre [m].
   double reference(const Sway& sway) const;
