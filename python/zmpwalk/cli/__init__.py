@@ -1,8 +1,8 @@
 """The command `zmpwalk`: a file for each of walk, view, plot, video, push-map, robustness, sweep, inspect, humanoid,
 settings, bench, build-adapter.
 
-Exit codes: 0 the robot stood to the end, 3 it fell (everything is written all the same), 2 bad input (one line on
-stderr, nothing written), 130 stopped by Ctrl-C (nothing written), 1 a fault of zmpwalk's own.
+Exit codes: 0 the robot stood to the end, 3 it fell, or fell short with --strict (everything is written all the same),
+2 bad input (one line on stderr, nothing written), 130 stopped by Ctrl-C (nothing written), 1 a fault of zmpwalk's own.
 """
 
 from __future__ import annotations
