@@ -168,10 +168,27 @@ def write_description(path: str | os.PathLike, model_file: str | os.PathLike, pr
 
 
 def _describe(robot: Found) -> RobotDescription:
+    remark_soles(robot)
+    remarks = list(robot.remarks)
+    description = _standing(robot)
+    try:
+        ahead = description.stand_ahead(robot.tree.model)
+    except Error:  # the model's rules or the controller say what is wrong
+        return description
+    if ahead == 0.0 or description.stand_keyframe:
+        return description
+    robot.remarks[:] = remarks
+    description = _standing(robot, ahead)
+    where = f"{1000 * abs(ahead):.0f} mm {'ahead of' if ahead > 0 else 'behind'} the middle of the soles"
+    robot.remarks.append(f"stand pose: the COM is {where}, where the ankles give the ZMP room ahead and behind")
+    return description
+
+
+def _standing(robot: Found, ahead: float = 0.0) -> RobotDescription:
+    """The description of a robot whose COM stands `ahead` of the middle of its soles [m]."""
     model, tree = robot.tree.model, robot.tree
     joints = [j for j in range(model.njnt) if model.jnt_bodyid[j] in tree.bodies]
-    remark_soles(robot)
-    data, keyframe = find_stand(robot)
+    data, keyframe = find_stand(robot, ahead)
     root = joints[0]
     base = data.qpos[model.jnt_qposadr[root] :][:7]
     feet = [
