@@ -1,4 +1,4 @@
-"""What a walk fell short of although it stood: its speed, the ranges of its joints, their torques.
+"""What a walk fell short of: its speed, the ranges of its joints, their torques.
 
 One place decides, from the record; summary, table, notebook and exit code of `zmpwalk walk --strict` say what it says.
 """
@@ -22,7 +22,7 @@ CUT = 0.01  # of the walk, in which torques may be cut to their limits: a landin
 
 
 def shortfalls(trace: Any) -> list[str]:
-    """What a walk that stood fell short of, a sentence each; empty where there is nothing to say, and after a fall.
+    """What a walk fell short of, a sentence each; empty where there is nothing to say. Of a fall, only the stops are told.
 
     - speed: between touch-downs of a planned velocity that stays the same, from the fourth step on, the feet went more
       than 5 % slower, faster or elsewhere;
@@ -34,9 +34,11 @@ def shortfalls(trace: Any) -> list[str]:
 
     Usage: `shortfalls(zmpwalk.simulate("mahru"))  # -> []`
     """
-    fell = trace.meta.get("fell")
-    if (bool(fell) if fell is not None else bool(np.any(trace.get("fell", 0)))) or len(trace.t) < 2:
+    if len(trace.t) < 2:
         return []
+    fell = trace.meta.get("fell")
+    if bool(fell) if fell is not None else bool(np.any(trace.get("fell", 0))):
+        return _stops(trace)
     return [*_speed(trace), *_stops(trace), *_torque(trace)]
 
 

@@ -131,9 +131,10 @@ def command(
             f"zmpwalk: fell at t = {summary['fall_time']:.3f} s: {summary['fall_cause'] or 'cause unknown'}",
             file=sys.stderr,
         )
-        return FELL
     for shortfall in summary["shortfalls"]:
-        print(f"zmpwalk: it stood, but fell short: {shortfall}", file=sys.stderr)
+        print(f"zmpwalk: {'before it fell' if summary['fell'] else 'it stood, but fell short'}: {shortfall}", file=sys.stderr)
+    if summary["fell"]:
+        return FELL
     return FELL if strict and summary["shortfalls"] else STOOD
 
 
