@@ -22,7 +22,8 @@ CUT = 0.01  # of the walk, in which torques may be cut to their limits: a landin
 
 
 def shortfalls(trace: Any) -> list[str]:
-    """What a walk fell short of, a sentence each; empty where there is nothing to say. Of a fall, only the stops are told.
+    """What a walk fell short of, a sentence each; empty where there is nothing to say. Of a fall, only
+    the joint that leaned longest on its stop is told: it may be the cause.
 
     - speed: between touch-downs of a planned velocity that stays the same, from the fourth step on, the feet went more
       than 5 % slower, faster or elsewhere;
@@ -38,7 +39,7 @@ def shortfalls(trace: Any) -> list[str]:
         return []
     fell = trace.meta.get("fell")
     if bool(fell) if fell is not None else bool(np.any(trace.get("fell", 0))):
-        return _stops(trace)
+        return _stops(trace)[:1]
     return [*_speed(trace), *_stops(trace), *_torque(trace)]
 
 
@@ -81,16 +82,15 @@ def _stops(trace: Any) -> list[str]:
     if not ranges or "qpos" not in trace or trace.qpos.shape[1] != 7 + len(names):
         return []
     ends = np.array([pair if pair is not None else (-np.inf, np.inf) for pair in ranges], float)
-    q, said = trace.qpos[:, 7:], []
+    q: Any = trace.qpos[:, 7:]
+    said: list[tuple[float, str]] = []
     for side, beyond in (("lower", ends[:, 0] - q), ("upper", q - ends[:, 1])):
         seconds = (beyond > STOP_DEPTH).sum(axis=0) * trace.control_dt
         for j in np.flatnonzero(seconds > STOP_TIME):
             end = ends[j, 0 if side == "lower" else 1]
-            said.append(
-                f"stop: {names[j]} leaned on the {side} end of its range, {end:+.3f}, for {seconds[j]:.2f} s; "
-                "the stop's torque is not in the estimate"
-            )
-    return said
+            text = f"{names[j]} leaned on the {side} end of its range, {end:+.3f}, for {seconds[j]:.2f} s"
+            said.append((-seconds[j], f"stop: {text}; the stop's torque is not in the estimate"))
+    return [text for _, text in sorted(said)]
 
 
 def _torque(trace: Any) -> list[str]:
