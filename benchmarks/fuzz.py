@@ -41,6 +41,7 @@ from typing import Any, Callable
 import mujoco
 import numpy as np
 import zmpwalk
+from zmpwalk import cli
 from zmpwalk import JointMotion, State, Terrain, Trace, Uncertainty, VelocityProfile, WalkingController, WalkSettings
 from zmpwalk.disturbances import pushes_of
 from zmpwalk.profiles import profile_of
@@ -86,7 +87,7 @@ def odd_number(chance: random.Random, like: float = 1.0) -> Any:
 
 def odd_value(chance: random.Random, like: Any = None) -> Any:
     """Something in place of a value: seldom of another kind."""
-    if isinstance(like, (int, float)) and not isinstance(like, bool) and chance.random() < 0.75:
+    if isinstance(like, (int, float)) and not isinstance(like, bool) and abs(like) < 1e300 and chance.random() < 0.75:
         return odd_number(chance, float(like))
     if isinstance(like, str) and chance.random() < 0.5:
         return odd_text(chance, like)
@@ -117,7 +118,7 @@ def odd_text(chance: random.Random, text: str, tokens: list[str] | None = None) 
             if not found:
                 continue
             spot = chance.choice(found)
-            other = odd_number(chance, float(spot.group()))
+            other = odd_number(chance, min(float(spot.group()), 1e300))
             text = text[: spot.start()] + (f"{other!r}" if chance.random() < 0.9 else chance.choice(WORDS)) + text[spot.end() :]
     return text
 
@@ -678,7 +679,7 @@ class Line(Door):
             if words[:1] == ["walk"] and "--duration" not in words and "-h" not in words and "--help" not in words:
                 words = [*words, "--duration", "0.05", "--no-figures"]
             with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
-                code = zmpwalk.cli.main(words)
+                code = cli.main(words)
         finally:
             os.chdir(before)
         said = err.getvalue()

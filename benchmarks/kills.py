@@ -159,10 +159,11 @@ def attack(victim: Victim, count: int, chance: random.Random, tell: Callable[[st
         if hit and code not in (-number, 128 + number, 0):
             troubles.append(f"exit code {code}: {said.strip()[-200:]}")
         if "Traceback" in said:
-            troubles.append("traceback: " + said.strip().splitlines()[-1][:200])
-        row["troubles"] += [f"{victim.name} {i + 1}, {how}: {each}" for each in troubles]
+            troubles.append("traceback: " + " | ".join(said.strip().splitlines()[-4:])[-400:])
+        troubles = [f"{victim.name} {i + 1}, {how}, code {code}: {each}" for each in troubles]
+        row["troubles"] += troubles
         for each in troubles:
-            tell(f"{victim.name} {i + 1}, {how}: {each}")
+            tell(each)
         if how == "SIGKILL" and i % (3 * len(SIGNALS)) == 0:
             victim.again()
             left = sorted(victim.files() - victim.before)

@@ -78,10 +78,12 @@ def _velocity(v: np.ndarray) -> str:
 
 
 def _stops(trace: Any) -> list[str]:
-    names, ranges = trace.meta.get("joint_names") or [], trace.meta.get("joint_ranges")
-    if not ranges or "qpos" not in trace or trace.qpos.shape[1] != 7 + len(names):
+    names = trace.meta.get("joint_names")
+    if "qpos" not in trace or not isinstance(names, list) or trace.qpos.shape != (len(trace.t), 7 + len(names)):
         return []
-    ends = np.array([pair if pair is not None else (-np.inf, np.inf) for pair in ranges], float)
+    ends = _numbers(trace, "joint_ranges", (len(names), 2), (-np.inf, np.inf))
+    if ends is None:
+        return []
     q: Any = trace.qpos[:, 7:]
     said: list[tuple[float, str]] = []
     for side, beyond in (("lower", ends[:, 0] - q), ("upper", q - ends[:, 1])):
@@ -99,13 +101,23 @@ def _torque(trace: Any) -> list[str]:
     cut = np.asarray(trace.saturated) > 0
     if not cut.mean() > CUT:
         return []
-    limits, names = trace.meta.get("torque_limits"), trace.meta.get("joint_names") or []
-    which = ""
-    if limits is not None and "tau" in trace and len(limits) == trace.tau.shape[1] == len(names):
-        full = np.abs(trace.tau[cut]) >= np.array([np.inf if one is None else one for one in limits], float) * (1 - 1e-9)
+    names, which = trace.meta.get("joint_names"), ""
+    limits = _numbers(trace, "torque_limits", (len(names),), np.inf) if isinstance(names, list) else None
+    if limits is not None and "tau" in trace and trace.tau.shape == (len(trace.t), len(limits)):
+        full = np.abs(trace.tau[cut]) >= limits * (1 - 1e-9)
         most = sorted(range(len(names)), key=lambda j: -int(full[:, j].sum()))
-        which = ", ".join(names[j] for j in most[:3] if full[:, j].any())
+        which = ", ".join(str(names[j]) for j in most[:3] if full[:, j].any())
     return [
         f"torque: {100 * cut.mean():.0f} % of the cycles asked for more than the joints can give"
         + (f" (most often {which})" if which else "")
     ]
+
+
+def _numbers(trace: Any, key: str, shape: tuple[int, ...], absent: Any) -> np.ndarray | None:
+    """What the meta data keep of each joint, `absent` where there is none; None where a file holds something else."""
+    given = trace.meta.get(key)
+    try:
+        out = np.array([absent if one is None else one for one in given], float)
+    except (TypeError, ValueError, OverflowError):
+        return None
+    return out if out.shape == shape else None
