@@ -134,7 +134,7 @@ class Victim:
             return hit, -1, "hangs"
         return hit, process.returncode, said
 
-    def troubles(self, how: str) -> list[str]:
+    def troubles(self, how: str, had: set[str]) -> list[str]:
         """What is not as it should be, right after the kill."""
         there, said = self.files(), []
         torn = [name for name in sorted(there) if not name.startswith(".") and (self.out / name).is_file()
@@ -144,7 +144,7 @@ class Victim:
         if not torn and not agree(self.out):
             said.append("torn: summary and trace of different walks")
         if how != "SIGKILL":
-            said += [f"left: {name}" for name in sorted(there - self.before)]
+            said += [f"left: {name}" for name in sorted(there - self.before - had)]
         return said
 
 
@@ -152,13 +152,14 @@ def attack(victim: Victim, count: int, chance: random.Random, tell: Callable[[st
     row: dict[str, Any] = {"hits": 0, "troubles": []}
     for i in range(count):
         how = SIGNALS[i % len(SIGNALS)]
+        there = victim.files()  # with what a run that was killed before has left
         hit, code, said = victim.kill(getattr(signal, how), chance.uniform(0.02, 1.1 * victim.takes))
         row["hits"] += hit
-        troubles = victim.troubles(how)
+        troubles = victim.troubles(how, there)
         number = int(getattr(signal, how))
         if hit and code not in (-number, 128 + number, 0):
             troubles.append(f"exit code {code}: {said.strip()[-200:]}")
-        if "Traceback" in said:
+        if "Traceback" in said and code != -number:  # killed before it began: a child of glfw's may say that nobody listens
             troubles.append("traceback: " + " | ".join(said.strip().splitlines()[-4:])[-400:])
         troubles = [f"{victim.name} {i + 1}, {how}, code {code}: {each}" for each in troubles]
         row["troubles"] += troubles

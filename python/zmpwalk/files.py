@@ -183,15 +183,21 @@ def _remove(folder: Path) -> None:
 @contextmanager
 def _undisturbed() -> Iterator[None]:
     """Signals that end a program wait until the block is over, where the main thread runs it."""
-    ends = {getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)}
-    if threading.current_thread() is not threading.main_thread() or not hasattr(signal, "pthread_sigmask"):
+    if threading.current_thread() is not threading.main_thread():
         yield
         return
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, ends)
+    came: list[int] = []
+    numbers = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)]
+    before = {n: signal.getsignal(n) for n in numbers if signal.getsignal(n) not in (None, signal.SIG_IGN)}
     try:
+        for n in before:
+            signal.signal(n, lambda number, frame: came.append(number))
         yield
     finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+        for n, handler in before.items():
+            signal.signal(n, handler)
+        for n in came:
+            os.kill(os.getpid(), n)
 
 
 @contextmanager
