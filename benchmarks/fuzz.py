@@ -1,3 +1,4 @@
+# ruff: noqa: E501, RUF012  (corpora and tokens in one line)
 """Feeds every door of zmpwalk hostile inputs: `python benchmarks/fuzz.py`, or `make fuzz`.
 
 A door is a file or a call through which something comes in. Each has a small corpus of its own, which is changed by a
@@ -7,8 +8,8 @@ change, bytes flip. An input is
 - accepted: then what came of it is finite, in range and goes through a round trip, and a share of them walks 0.1 s;
 - or refused, with one line that zmpwalk wrote.
 
-Everything else is a finding, with an id such as `npz:17`: a crash, a hang over 2 s, a traceback, more than 1 GB, a wrong
-result. `--only npz:17` with the same seed tries that one alone and shows it.
+Everything else is a finding, with an id such as `npz:17`: a crash, a hang over 2 s, a traceback, more than 1 GB, a
+wrong result. `--only npz:17` with the same seed tries that one alone and shows it.
 
 Inputs are tried in processes forked for it, each of which goes on until it dies.
 """
@@ -36,13 +37,22 @@ import traceback
 import warnings
 import zipfile
 from pathlib import Path
-from typing import Any, Callable
+from typing import Any
 
 import mujoco
 import numpy as np
 import zmpwalk
-from zmpwalk import cli
-from zmpwalk import JointMotion, State, Terrain, Trace, Uncertainty, VelocityProfile, WalkingController, WalkSettings
+from zmpwalk import (
+    JointMotion,
+    State,
+    Terrain,
+    Trace,
+    Uncertainty,
+    VelocityProfile,
+    WalkingController,
+    WalkSettings,
+    cli,
+)
 from zmpwalk.disturbances import pushes_of
 from zmpwalk.profiles import profile_of
 from zmpwalk.robots import description_from_dict, description_to_dict, examine, read_description, robot_file
@@ -119,7 +129,11 @@ def odd_text(chance: random.Random, text: str, tokens: list[str] | None = None) 
                 continue
             spot = chance.choice(found)
             other = odd_number(chance, min(float(spot.group()), 1e300))
-            text = text[: spot.start()] + (f"{other!r}" if chance.random() < 0.9 else chance.choice(WORDS)) + text[spot.end() :]
+            text = (
+                text[: spot.start()]
+                + (f"{other!r}" if chance.random() < 0.9 else chance.choice(WORDS))
+                + text[spot.end() :]
+            )
     return text
 
 
@@ -146,7 +160,10 @@ def odd_tree(chance: random.Random, plain: Any) -> Any:
             node[chance.choice([*WORDS, *node])] = node[key]
         elif kind < 0.35:
             other, there = chance.choice(places)
-            if not (isinstance(node[key], (dict, list)) or isinstance(other.get(there) if isinstance(other, dict) else None, (dict, list))):
+            if not (
+                isinstance(node[key], (dict, list))
+                or isinstance(other.get(there) if isinstance(other, dict) else None, (dict, list))
+            ):
                 with contextlib.suppress(IndexError, KeyError):
                     node[key], other[there] = other[there], node[key]
         else:
@@ -181,7 +198,7 @@ PLACE: Path  # where inputs are written
 
 
 def prepare(place: Path) -> None:
-    global MODEL, DESCRIPTION, TRACE, PLACE  # noqa: PLW0603  the forked processes share them
+    global MODEL, DESCRIPTION, TRACE, PLACE
     PLACE = place
     MODEL, DESCRIPTION = zmpwalk.load_robot("mahru")
     TRACE = zmpwalk.simulate(profile=0.1, duration=0.03).save(place / "trace.npz")
@@ -312,7 +329,9 @@ class Csv(Door):
         rows = ["t,vx,vy,wz"] + [f"{k},{0.1 * k},0,{0.05 * k}" for k in range(4)]
         if chance.random() < 0.3:
             rows = [f"{k},{0.1 * k}" for k in range(3)]
-        text = odd_text(chance, "\n".join(rows) + "\n", [",", ",,", "\n", "\r", '"', "t,vx", "#", ";", "nan", "-1", "1e99"])
+        text = odd_text(
+            chance, "\n".join(rows) + "\n", [",", ",,", "\n", "\r", '"', "t,vx", "#", ";", "nan", "-1", "1e99"]
+        )
         raw = text.encode("utf-8", "surrogatepass")
         return odd_bytes(chance, raw) if chance.random() < 0.2 else raw
 
@@ -367,7 +386,9 @@ class Toml(Door):
         begin = chance.choice(tables)
         end = next((i for i in tables if i > begin), len(lines))
         part = "\n".join([lines[begin], *(line for line in lines[begin + 1 : end] if chance.random() < 0.5)]) + "\n"
-        text = odd_text(chance, part, ["[", "]", "=", '"', "true", "{a=1}", "[1,2]", "1979-05-27", "# x", "law = 'paper'"])
+        text = odd_text(
+            chance, part, ["[", "]", "=", '"', "true", "{a=1}", "[1,2]", "1979-05-27", "# x", "law = 'paper'"]
+        )
         raw = text.encode("utf-8", "surrogatepass")
         return odd_bytes(chance, raw) if chance.random() < 0.1 else raw
 
@@ -497,9 +518,13 @@ class Profile(Door):
         kind = chance.random()
         if kind < 0.4:
             tokens = [",", ":", "/", "0:0", "paper", "1:0.1/0/0.2", " ", "x.csv"]
-            return odd_text(chance, chance.choice(["0:0.1,5:0.2/0/0.3", "0.2", "0:0,1:0.1,2:0.1/0.05/0.1", "paper"]), tokens)
+            return odd_text(
+                chance, chance.choice(["0:0.1,5:0.2/0/0.3", "0.2", "0:0,1:0.1,2:0.1/0.05/0.1", "paper"]), tokens
+            )
         if kind < 0.8:
-            return odd_tree(chance, chance.choice([[[0, 0.1], [1, [0.1, 0, 0.2]], [3, 0.0]], [0.1, 0.0, 0.1], [[0, 0]]]))
+            return odd_tree(
+                chance, chance.choice([[[0, 0.1], [1, [0.1, 0, 0.2]], [3, 0.0]], [0.1, 0.0, 0.1], [[0, 0]]])
+            )
         if kind < 0.9:
             return odd_value(chance, 0.2)
         return np.array([odd_number(chance) for _ in range(chance.choice([0, 1, 3, 6]))], dtype=object)
@@ -514,12 +539,33 @@ class Words(Door):
     def make(self, chance: random.Random) -> Any:
         kind = chance.choice(["push", "terrain", "uncertainty"])
         if kind == "push":
-            given: Any = chance.choice(["3.0:0.08:torso:0,50,0", "1:0.1::5,0,0", [[1.0, 0.1, None, [0, 50, 0]]], [[1, 0.1, "torso", [1, 2, 3, 4, 5, 6]]]])
+            given: Any = chance.choice(
+                [
+                    "3.0:0.08:torso:0,50,0",
+                    "1:0.1::5,0,0",
+                    [[1.0, 0.1, None, [0, 50, 0]]],
+                    [[1, 0.1, "torso", [1, 2, 3, 4, 5, 6]]],
+                ]
+            )
         elif kind == "terrain":
-            given = chance.choice(["flat", "slope:5", "slope:5,30", "blocks:2,7", "plates:3,1", "step:2,1", "stairs:12x28", "waves:2", "soft:0.02"])
+            given = chance.choice(
+                [
+                    "flat",
+                    "slope:5",
+                    "slope:5,30",
+                    "blocks:2,7",
+                    "plates:3,1",
+                    "step:2,1",
+                    "stairs:12x28",
+                    "waves:2",
+                    "soft:0.02",
+                ]
+            )
         else:
             given = {"noise": 1.0, "torque_delay": 0.004, "mass": 1.1, "roll_bias": 0.02, "links": 0.1, "lag": 0.01}
-        return kind, odd_text(chance, given, [":", ",", "x", "1e9", "-1"]) if isinstance(given, str) else odd_tree(chance, given)
+        return kind, odd_text(chance, given, [":", ",", "x", "1e9", "-1"]) if isinstance(given, str) else odd_tree(
+            chance, given
+        )
 
     def enter(self, given: Any, chance: random.Random) -> None:
         kind, value = given
@@ -533,7 +579,9 @@ class Words(Door):
             require(Terrain.of(ground.text).text == ground.text, "no round trip")
             ground.height(0.7, 0.1)
         else:
-            unsure = Uncertainty(**value) if isinstance(value, dict) and all(map(str.isidentifier, value)) else Uncertainty()
+            unsure = (
+                Uncertainty(**value) if isinstance(value, dict) and all(map(str.isidentifier, value)) else Uncertainty()
+            )
             require(Uncertainty(**unsure.to_dict()) == unsure, "no round trip")
 
     kinds = (TypeError,)
@@ -546,23 +594,37 @@ class Command(Door):
 
     def make(self, chance: random.Random) -> Any:
         if chance.random() < 0.7:
-            return "command", [odd_number(chance, 0.2) if chance.random() < 0.9 else odd_value(chance) for _ in range(chance.choice([3, 3, 3, 1, 2, 4]))]
-        return "plan", [odd_number(chance, 2.0) if chance.random() < 0.9 else odd_value(chance) for _ in range(chance.choice([1, 2]))]
+            return "command", [
+                odd_number(chance, 0.2) if chance.random() < 0.9 else odd_value(chance)
+                for _ in range(chance.choice([3, 3, 3, 1, 2, 4]))
+            ]
+        return "plan", [
+            odd_number(chance, 2.0) if chance.random() < 0.9 else odd_value(chance)
+            for _ in range(chance.choice([1, 2]))
+        ]
 
     def enter(self, given: Any, chance: random.Random) -> None:
         kind, values = given
         controller, data = started()
         if kind == "plan":
             plan = controller.plan(*values)
-            require(all(np.isfinite(plan[name]).all() for name in ("t", "com", "dcom", "zmp")), "a plan that is not finite")
+            require(
+                all(np.isfinite(plan[name]).all() for name in ("t", "com", "dcom", "zmp")), "a plan that is not finite"
+            )
             require(len(plan["t"]) > 0, "an empty plan")
             return
         controller.command(*values)
-        require(np.isfinite(controller.within_reach([float(v) for v in values] + [0.0] * (3 - len(values)))).all(), "not finite")
+        require(
+            np.isfinite(controller.within_reach([float(v) for v in values] + [0.0] * (3 - len(values)))).all(),
+            "not finite",
+        )
         for _ in range(30):
             out = controller.update(data)
             require(np.isfinite(out.tau).all(), "a torque is not finite")
-            require(controller.reach_share(out.command) <= 1 + 1e-9 if np.isfinite(out.command).all() else True, "beyond reach")
+            require(
+                controller.reach_share(out.command) <= 1 + 1e-9 if np.isfinite(out.command).all() else True,
+                "beyond reach",
+            )
             mujoco.mj_step(MODEL, data)
 
 
@@ -625,7 +687,9 @@ class Update(Door):
             require(controller.com_height == before, "a refused call changed the controller")
             raise
         require(np.isfinite(out.tau).all(), "a torque is not finite")
-        require((np.abs(out.tau) <= np.asarray(controller.torque_limit) * (1 + 1e-9)).all(), "a torque beyond its limit")
+        require(
+            (np.abs(out.tau) <= np.asarray(controller.torque_limit) * (1 + 1e-9)).all(), "a torque beyond its limit"
+        )
 
 
 class Line(Door):
@@ -685,7 +749,9 @@ class Line(Door):
         said = err.getvalue()
         require(code in (0, 2, 3), f"exit code {code}: {said[-300:]}")
         require("Traceback" not in said + out.getvalue(), said[-500:])
-        require(not list(folder.glob("**/.walk-*")) and not (folder / "MUJOCO_LOG.TXT").exists(), "left something behind")
+        require(
+            not list(folder.glob("**/.walk-*")) and not (folder / "MUJOCO_LOG.TXT").exists(), "left something behind"
+        )
         lines = [line for line in said.splitlines() if line.startswith("zmpwalk: ")]
         if code == 2:
             require(lines, f"exit code 2 without a line: {said[-300:]}")
@@ -802,7 +868,9 @@ def assault(name: str, count: int, seed: int, until: float) -> tuple[dict[str, i
                 os.kill(child, signal.SIGKILL)
         os.close(read)
         status = os.waitpid(child, 0)[1]
-        if begun >= index and not (over and os.WIFSIGNALED(status) and os.WTERMSIG(status) == signal.SIGKILL and not deaf):
+        if begun >= index and not (
+            over and os.WIFSIGNALED(status) and os.WTERMSIG(status) == signal.SIGKILL and not deaf
+        ):
             how = os.WTERMSIG(status) if os.WIFSIGNALED(status) else 0
             why = (
                 f"hangs: over {HANGS:g} s" if how == signal.SIGPROF or deaf

@@ -159,7 +159,9 @@ def attack(victim: Victim, count: int, chance: random.Random, tell: Callable[[st
         number = int(getattr(signal, how))
         if hit and code not in (-number, 128 + number, 0):
             troubles.append(f"exit code {code}: {said.strip()[-200:]}")
-        if "Traceback" in said and code != -number:  # killed before it began: a child of glfw's may say that nobody listens
+        if (
+            "Traceback" in said and code != -number
+        ):  # killed before it began: a child of glfw's may say that nobody listens
             troubles.append("traceback: " + " | ".join(said.strip().splitlines()[-4:])[-400:])
         troubles = [f"{victim.name} {i + 1}, {how}, code {code}: {each}" for each in troubles]
         row["troubles"] += troubles
@@ -189,7 +191,9 @@ def main() -> int:
     troubles: list[str] = []
     with tempfile.TemporaryDirectory(prefix="kills-") as place:
         trace = zmpwalk.simulate(profile=0.2, duration=1.0).save(Path(place) / "trace.npz")
-        print(f"{'command':10s} {'kills':>6s} {'while it ran':>13s} {'torn':>5s} {'lost':>5s} {'left':>5s} {'other':>6s}")
+        print(
+            f"{'command':10s} {'kills':>6s} {'while it ran':>13s} {'torn':>5s} {'lost':>5s} {'left':>5s} {'other':>6s}"
+        )
         for name in names:
             try:
                 victim = Victim(name, Path(place) / name, trace)
@@ -199,8 +203,8 @@ def main() -> int:
             row = attack(victim, args.count, chance, lambda line: print(line, file=sys.stderr, flush=True))
             counts = [sum(f": {kind}" in each for each in row["troubles"]) for kind in ("torn", "lost", "left")]
             other = len(row["troubles"]) - sum(counts)
-            print(f"{name:10s} {args.count:6d} {row['hits']:13d} {counts[0]:5d} {counts[1]:5d} {counts[2]:5d} {other:6d}",
-                  flush=True)  # fmt: skip
+            print(f"{name:10s} {args.count:6d} {row['hits']:13d} {counts[0]:5d} {counts[1]:5d} {counts[2]:5d} "
+                  f"{other:6d}", flush=True)  # fmt: skip
             troubles += row["troubles"]
     for each in troubles:
         print(each)

@@ -129,11 +129,13 @@ void bind_description(py::module_& m) {
             const Robot robot(model_of(model), d);
             const WalkSettings settings = resolve(WalkSettings{}, scale_of(robot), 0.0);
             const double share = settings.zmp.sole_fraction;
-            return place_with_room({bounds_of(robot, kLeft, settings, share), bounds_of(robot, kRight, settings, share)},
-                                   common_sole(robot).length, 0.0);
+            return place_with_room(
+                {bounds_of(robot, kLeft, settings, share), bounds_of(robot, kRight, settings, share)},
+                common_sole(robot).length, 0.0);
           },
           "model"_a,
-          "How far ahead of the middle between the soles' centres the COM stands with the default settings, so that the "
+          "How far ahead of the middle between the soles' centres the COM stands with the default settings, so that "
+          "the "
           "ZMP has room ahead and behind [m]; 0 where the soles alone bound it.\n\n"
           "Raises:\n    ModelError: as check().\n    InputError: soles and ankles leave no room for the ZMP.")
       .def(
@@ -143,7 +145,8 @@ void bind_description(py::module_& m) {
           },
           "model"_a, "data"_a, "ground"_a = std::nullopt,
           "Puts the robot into its start pose, at rest; only its own qpos and qvel change.\n\n"
-          "Args:\n    ground: height of the soles [m]; None has them where the description does (z = 0), or on the floor "
+          "Args:\n    ground: height of the soles [m]; None has them where the description does (z = 0), or on the "
+          "floor "
           "where that is higher.\n\n"
           "Raises:\n    ModelError: as check().");
 

@@ -23,7 +23,9 @@ ERROR = 0.004  # of the COM's height: an estimate that is off by more in single 
 TWIST = 0.8  # share of what the soles hold against turning from which it is worth a word
 
 
-def try_out(model: mujoco.MjModel, description: RobotDescription, table: dict[str, Any]) -> tuple[dict[str, Any], list[str]]:
+def try_out(
+    model: mujoco.MjModel, description: RobotDescription, table: dict[str, Any]
+) -> tuple[dict[str, Any], list[str]]:
     """Walk a robot at a usual speed for some seconds and look at what it took.
 
     Args:
@@ -40,7 +42,8 @@ def try_out(model: mujoco.MjModel, description: RobotDescription, table: dict[st
     Usage: `try_out(model, proposal.description, proposal.table)[0]["torque_walk"]`
     """
     speed = min(usual_speed(model, table["com_height_m"]), SHARE * (table["speed_limit_mps"] or 0.0))
-    profile = VelocityProfile([0.0, STANDS, STANDS + GAINS], [[0, 0, 0], [0, 0, 0], [speed, 0, 0]], "linear")
+    speeds = np.array([[0.0, 0, 0], [0, 0, 0], [speed, 0, 0]])
+    profile = VelocityProfile([0.0, STANDS, STANDS + GAINS], speeds, "linear")
     try:
         controller = WalkingController(model, description, None, profile)
         trace = run(controller, STANDS + GAINS + WALKS)
@@ -114,8 +117,8 @@ def _remarks(found: dict[str, Any], summary: dict[str, Any], trace: Any, table: 
     error, height = found["zmp_error_mm"], table["com_height_m"]
     if all(e is not None for e in error) and max(error) > 1e3 * ERROR * height:
         said.append(
-            f"{where}: the estimate of the ZMP is off by {error[0]:.1f} mm forward and {error[1]:.1f} mm sideways (95th "
-            "percentile of single support): the contacts of the soles are not what a flat sole has"
+            f"{where}: the estimate of the ZMP is off by {error[0]:.1f} mm forward and {error[1]:.1f} mm sideways "
+            "(95th percentile of single support): the contacts of the soles are not what a flat sole has"
         )
     twist, holds = found["yaw_moment_Nm"], found["yaw_friction_Nm"]
     if twist is not None and holds is not None and twist > TWIST * holds:

@@ -5,6 +5,7 @@ import io
 import json
 import math
 import os
+import pathlib
 import pickle
 import re
 import subprocess
@@ -380,9 +381,9 @@ def test_a_trace_whose_joints_say_something_else_still_has_a_summary(walked):
 
 
 def test_a_short_run_of_the_fuzzer_finds_nothing():
-    folder = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+    fuzz = str(pathlib.Path(__file__).resolve().parents[2] / "benchmarks" / "fuzz.py")
     done = subprocess.run(
-        [sys.executable, os.path.join(folder, "benchmarks", "fuzz.py"), "--seed", "1", "--inputs", "300", "--seconds", "4"],
+        [sys.executable, fuzz, "--seed", "1", "--inputs", "300", "--seconds", "4"],
         capture_output=True, text=True, timeout=100, check=False, env={**os.environ, "MPLBACKEND": "Agg"},
     )  # fmt: skip
     assert done.returncode == 0, done.stdout + done.stderr

@@ -232,7 +232,10 @@ def test_kind_H_files_of_other_kinds_are_read_or_say_what_they_lack(file):
 def test_kind_I_a_sole_on_the_pitch_link_says_where_it_belongs(file):
     text = TEXT
     for side in "lr":
-        joint, geom = f'<joint class="ankle_pitch" name="{side}_ankle_pitch"/>', f'<geom class="sole_box" name="{side}_foot"/>'
+        joint, geom = (
+            f'<joint class="ankle_pitch" name="{side}_ankle_pitch"/>',
+            f'<geom class="sole_box" name="{side}_foot"/>',
+        )
         assert geom in text
         text = text.replace(geom, "").replace(joint, joint + geom)
     with pytest.raises(ModelError) as caught:

@@ -189,8 +189,8 @@ void WalkingController::require_startable() const {
   const double at_rest = std::abs(start_excursion(0.0));
   if (at_rest <= room && start_excursion(1.0) <= room) return;
   if (at_rest > room)
-    throw InputError("the COM would run " + std::to_string(at_rest) +
-                     " m away even at rest, the legs reach " + std::to_string(room) +
+    throw InputError("the COM would run " + std::to_string(at_rest) + " m away even at rest, the legs reach " +
+                     std::to_string(room) +
                      " m: at the start pose it lies too far from the feet's middle, or the ankles are "
                      "too weak to hold it there");
   double possible = 0.0, impossible = 1.0;

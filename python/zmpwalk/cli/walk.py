@@ -56,8 +56,8 @@ MISMATCH = 0.002  # feet off the planned velocity by this are worth a warning [m
 @click.option(
     "--strict",
     is_flag=True,
-    help="Exit with 3, as after a fall, if the robot stood but fell short: missed its speed by more than 5 %, leaned on "
-    "the stop of a joint, or asked for more torque than there is.",
+    help="Exit with 3, as after a fall, if the robot stood but fell short: missed its speed by more than 5 %, leaned "
+    "on the stop of a joint, or asked for more torque than there is.",
 )
 @click.option("--no-figures", is_flag=True, help="Write only trace and summary, which is faster.")
 @format_option
@@ -132,7 +132,10 @@ def command(
             file=sys.stderr,
         )
     for shortfall in summary["shortfalls"]:
-        print(f"zmpwalk: {'before it fell' if summary['fell'] else 'it stood, but fell short'}: {shortfall}", file=sys.stderr)
+        print(
+            f"zmpwalk: {'before it fell' if summary['fell'] else 'it stood, but fell short'}: {shortfall}",
+            file=sys.stderr,
+        )
     if summary["fell"]:
         return FELL
     return FELL if strict and summary["shortfalls"] else STOOD
