@@ -14,13 +14,17 @@ DEMO_OUT ?= out/demo
 SANITIZE ?= address,undefined
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: help demo test pytest ctest sanitize bench ladder pushes soak instructions same native peers smoke wheel wheels wheels-arm wheel-check adapters matrix sdist stubs columns docs format lint check-all clean
+.PHONY: help demo test pytest ctest sanitize sanitize-extension sanitize-threads fuzz kills bench ladder pushes soak instructions same native peers smoke wheel wheels wheels-arm wheel-check adapters matrix sdist stubs columns docs format lint check-all clean
 
 help:
 	@echo 'make demo         walk the paper'\''s experiment; figures, trace and summary go to $(DEMO_OUT)'
 	@echo 'make test         pytest and ctest            (PYTEST_ARGS="-k zmp", CTEST_ARGS="-R pendulum")'
 	@echo 'make pytest       only the Python tests;  make ctest  only the C++ tests'
 	@echo 'make sanitize     the C++ tests under $(SANITIZE)'
+	@echo 'make sanitize-extension  a quick part of the Python tests with the extension under address,undefined'
+	@echo 'make sanitize-threads    commands, motions and walks from several threads under the thread sanitizer'
+	@echo 'make fuzz         hostile inputs at every door;  FUZZ_ARGS="--seed 1 --inputs 100000 --only npz"'
+	@echo 'make kills        kills commands at random moments and looks at what is there;  KILLS_ARGS="--count 60"'
 	@echo 'make bench        how fast it is here: every figure of docs/benchmarks.md; make peers  beside TSID and placo'
 	@echo 'make soak         an hour of random commands and pushes (docs/pushes.md);  SOAK_ARGS="--hours 0.1"'
 	@echo 'make ladder       walks faster and faster until it falls (docs/walk_anywhere.md)'
@@ -171,7 +175,33 @@ sanitize: $(B)/test.stamp
 	@cmake --build $(B)/sanitize
 	@$(call run_ctest,sanitize,3000)
 
+# The extension too, with the quick part of the tests that calls most of it. libasan has to be there before Python.
+SANITIZED_TESTS ?= tests/python/test_identities.py tests/python/test_state.py tests/python/test_ingredients.py tests/python/test_settings.py
+sanitize-extension: $(B)/test.stamp
+	@echo '-- the extension under address,undefined'
+	@cmake -S . -B $(B)/sanitize-extension -G Ninja -DPython_EXECUTABLE=$(PY) -DZMPWALK_SANITIZE=address,undefined -DCMAKE_CXX_FLAGS_RELEASE=-O1 \
+		-Dpybind11_DIR=$$($(PY) -m pybind11 --cmakedir) $(call QUIETLY,configure-sanitize-extension)
+	@cmake --build $(B)/sanitize-extension
+	@rm -rf $(B)/sanitized && mkdir -p $(B)/sanitized && cp -r python/zmpwalk $(B)/sanitized/
+	@cp $(B)/sanitize-extension/_core*.so $(B)/sanitize-extension/_build.py $(B)/sanitized/zmpwalk/
+	@mkdir -p $(B)/sanitized/zmpwalk/adapters && cp $(B)/sanitize-extension/adapter-*.so $(B)/sanitized/zmpwalk/adapters/
+	@LD_PRELOAD="$$($(CXX) -print-file-name=libasan.so) $$($(CXX) -print-file-name=libstdc++.so)" ASAN_OPTIONS=detect_leaks=0 \
+		PYTHONPATH=$(CURDIR)/$(B)/sanitized MPLBACKEND=Agg $(PY) -m pytest -q -p no:cacheprovider $(SANITIZED_TESTS)
+
+sanitize-threads: $(B)/test.stamp
+	@echo '-- walks, commands and motions from several threads under thread'
+	@$(call configure_tests,threads,-DZMPWALK_SANITIZE=thread -DCMAKE_CXX_FLAGS_RELEASE=-O1)
+	@cmake --build $(B)/threads --target test_threads
+	@cd $(B)/threads && ctest --output-on-failure --no-tests=error --timeout 600 -R '^threads$$'
+
 # ---- speed
+FUZZ_ARGS ?= --inputs 5000
+fuzz: $(B)/test.stamp $(B)/installed.stamp
+	@MPLBACKEND=Agg $(PY) benchmarks/fuzz.py $(FUZZ_ARGS)
+
+kills: $(B)/test.stamp $(B)/installed.stamp
+	@MPLBACKEND=Agg $(PY) benchmarks/kills.py $(KILLS_ARGS)
+
 BENCH_OUT ?= out/bench
 UPDATE ?=
 bench: $(B)/installed.stamp
@@ -279,6 +309,6 @@ check-all:
 		if .ci/find-python $$version >/dev/null 2>&1; then \
 			$(MAKE) test PYTHON=$$version && $(MAKE) wheel-check PYTHON=$$version || failed="$$failed $$version"; \
 		else echo "zmpwalk: no Python $$version here, not checked"; fi; done; \
-	$(MAKE) sanitize || failed="$$failed sanitize"; \
+	for what in sanitize sanitize-extension sanitize-threads; do $(MAKE) $$what || failed="$$failed $$what"; done; \
 	$(MAKE) lint || failed="$$failed lint"; \
 	if [ -n "$$failed" ]; then echo "failed:$$failed" >&2; exit 1; fi; echo 'all checks passed'

@@ -2,7 +2,10 @@
 #include "zmpwalk/robot/description.hpp"
 #include "zmpwalk/robot/robot.hpp"
 #include "zmpwalk/robot/rules/model_rules.hpp"
+#include "zmpwalk/robot/tree.hpp"
 #include "zmpwalk/robot/words.hpp"
+#include "zmpwalk/settings/settings.hpp"
+#include "zmpwalk/walk/proportions.hpp"
 
 using namespace zmpwalk;
 
@@ -121,12 +124,30 @@ void bind_description(py::module_& m) {
           "WalkingController.torque_path).\n\n"
           "Raises:\n    ModelError: as check().")
       .def(
+          "stand_ahead",
+          [](const RobotDescription& d, const py::object& model) {
+            const Robot robot(model_of(model), d);
+            const WalkSettings settings = resolve(WalkSettings{}, scale_of(robot), 0.0);
+            const double share = settings.zmp.sole_fraction;
+            return place_with_room(
+                {bounds_of(robot, kLeft, settings, share), bounds_of(robot, kRight, settings, share)},
+                common_sole(robot).length, 0.0);
+          },
+          "model"_a,
+          "How far ahead of the middle between the soles' centres the COM stands with the default settings, so that "
+          "the "
+          "ZMP has room ahead and behind [m]; 0 where the soles alone bound it.\n\n"
+          "Raises:\n    ModelError: as check().\n    InputError: soles and ankles leave no room for the ZMP.")
+      .def(
           "place",
-          [](const RobotDescription& d, const py::object& model, const py::object& data, double ground) {
+          [](const RobotDescription& d, const py::object& model, const py::object& data, std::optional<double> ground) {
             d.place(model_of(model), data_of(data), ground);
           },
-          "model"_a, "data"_a, "ground"_a = 0.0,
-          "Puts the robot into its start pose, at rest, soles on z = ground [m]; only its own qpos and qvel change.\n\n"
+          "model"_a, "data"_a, "ground"_a = std::nullopt,
+          "Puts the robot into its start pose, at rest; only its own qpos and qvel change.\n\n"
+          "Args:\n    ground: height of the soles [m]; None has them where the description does (z = 0), or on the "
+          "floor "
+          "where that is higher.\n\n"
           "Raises:\n    ModelError: as check().");
 
   py::class_<LegParts>(m, "LegParts", "A leg by MuJoCo's numbers: its foot's body, and its joints from hip to ankle.")

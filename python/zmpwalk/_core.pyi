@@ -2643,13 +2643,24 @@ class RobotDescription:
             ModelError: as check().
         """
     def place(
-        self, model: typing.Any, data: typing.Any, ground: typing.SupportsFloat | typing.SupportsIndex = 0.0
+        self, model: typing.Any, data: typing.Any, ground: typing.SupportsFloat | typing.SupportsIndex | None = None
     ) -> None:
         """
-        Puts the robot into its start pose, at rest, soles on z = ground [m]; only its own qpos and qvel change.
+        Puts the robot into its start pose, at rest; only its own qpos and qvel change.
+
+        Args:
+            ground: height of the soles [m]; None has them where the description does (z = 0), or on the floor where that is higher.
 
         Raises:
             ModelError: as check().
+        """
+    def stand_ahead(self, model: typing.Any) -> float:
+        """
+        How far ahead of the middle between the soles' centres the COM stands with the default settings, so that the ZMP has room ahead and behind [m]; 0 where the soles alone bound it.
+
+        Raises:
+            ModelError: as check().
+            InputError: soles and ankles leave no room for the ZMP.
         """
     @property
     def left(self) -> Foot:

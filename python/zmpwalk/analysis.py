@@ -166,16 +166,17 @@ def planned_path(trace: Any, as_given: bool = False) -> np.ndarray:
     return np.column_stack([start[:2] + np.vstack([np.zeros(2), np.cumsum(world, axis=0)]), yaw])
 
 
-def mean_velocity(before: np.ndarray, after: np.ndarray, seconds: float) -> np.ndarray:
+def mean_velocity(before: np.ndarray, after: np.ndarray, seconds: float, planned_turn: float = 0.0) -> np.ndarray:
     """The constant (vx, vy, wz) in the heading frame that leads from one pose to another (3,) [m/s, m/s, rad/s].
 
     Args:
-        before, after: (x, y, yaw) [m, rad], W; the shorter way round is taken.
+        before, after: (x, y, yaw) [m, rad], W.
         seconds: between them [s].
+        planned_turn: of the ways round, the one nearest to this is taken [rad].
 
     Usage: `mean_velocity(poses[0], poses[1600], 1.6)`
     """
-    turn = (after[2] - before[2] + np.pi) % (2 * np.pi) - np.pi
+    turn = planned_turn + (after[2] - before[2] - planned_turn + np.pi) % (2 * np.pi) - np.pi
     middle = before[2] + turn / 2
     c, s = np.cos(middle), np.sin(middle)
     dx, dy = (np.asarray(after[:2]) - before[:2]) / np.sinc(turn / 2 / np.pi)  # the arc of that chord

@@ -8,7 +8,7 @@ from typing import Any
 
 from .errors import InputError
 
-__all__ = ["is_number", "positive", "samples"]
+__all__ = ["MOST", "is_number", "positive", "samples"]
 
 MOST_SAMPLES = 1_000_000  # of a function of time
 MOST = 1e9  # of any quantity in SI units

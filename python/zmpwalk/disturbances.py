@@ -13,6 +13,7 @@ import mujoco
 import numpy as np
 
 from . import _core
+from .checks import MOST, is_number
 from .errors import InputError, nearest
 
 __all__ = ["Push", "Pushes", "Uncertainty", "pushes_of", "uncertainty_of"]
@@ -69,7 +70,7 @@ def pushes_of(push: Pushes) -> list[Push]:
             empty; three more numbers are a torque.
 
     Raises:
-        InputError: something else. Whether the numbers make sense and the body exists, the simulation says.
+        InputError: something else, or a number without measure. Whether the body exists, the simulation says.
 
     Usage: `pushes_of([(3.0, 0.08, "torso", (0, 50, 0)), "5:0.08::100,0,0"])`
     """
@@ -88,9 +89,14 @@ def _push_of(push: Any) -> Push:
     try:
         t, duration, body, force = words
         wrench = [float(value) for value in force]
+        numbers = [float(t), float(duration), *wrench]
         if len(wrench) in (3, 6) and (body is None or isinstance(body, str)):
-            return Push(float(t), float(duration), body or None, tuple(wrench))
-    except (TypeError, ValueError):
+            if not all(abs(number) <= MOST for number in numbers):  # nor is not-a-number
+                raise InputError(f"the push {reprlib.repr(push)} has a number that is not finite or beyond {MOST:g}")
+            return Push(numbers[0], numbers[1], body or None, tuple(wrench))
+    except InputError:
+        raise
+    except (OverflowError, TypeError, ValueError):
         pass
     raise InputError(
         f"the push {reprlib.repr(push)} is not one: it is (t, duration, body, (fx, fy, fz)) [s, s, -, N] with a body's "
@@ -136,8 +142,8 @@ class Uncertainty:
             value = getattr(self, field.name)
             if field.name == "ground_friction" and value is None:
                 continue
-            if isinstance(value, bool) or not isinstance(value, (int, float, np.number)) or not math.isfinite(value):
-                raise InputError(f"{field.name} is {value!r}; it must be a finite number")
+            if not is_number(value):
+                raise InputError(f"{field.name} is {reprlib.repr(value)}; it must be a finite number")
             if field.name in ("mass", "inertia", "ground_friction") and value <= 0.0:
                 raise InputError(f"{field.name} is {value:g}; it must be positive")
             if field.name not in ("roll_bias", "pitch_bias") and value < 0.0:

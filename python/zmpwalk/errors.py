@@ -11,7 +11,7 @@ __all__ = ["ColumnError", "DimensionError", "Error", "InputError", "ModelError",
 
 
 class Error(Exception):
-    """Base class of everything that zmpwalk raises on purpose.
+    """Base class of everything that zmpwalk raises on purpose. Its text is one line, whatever the input that it quotes.
 
     Example:
         >>> try:
@@ -19,6 +19,9 @@ class Error(Exception):
         ... except zmpwalk.Error as error:
         ...     print(error)
     """
+
+    def __str__(self) -> str:
+        return _one_line(super().__str__())
 
 
 class InputError(Error, ValueError):
@@ -46,11 +49,15 @@ class ModelError(Error, ValueError):
         more = len(reasons) - 1
         also = f" (and {more} more reason{'s' if more > 1 else ''}: zmpwalk inspect lists all)" if more > 0 else ""
         super().__init__("".join(reasons[:1]) + also)
-        self.reasons = reasons
+        self.reasons = tuple(map(_one_line, reasons))
 
 
 class VersionError(Error, ImportError):
     """The installed MuJoCo or NumPy is not one that this copy of zmpwalk can run with; raised by the import."""
+
+
+def _one_line(text: str) -> str:
+    return " ".join(text.splitlines())
 
 
 def nearest(name: str, known: Iterable[str]) -> list[str]:

@@ -8,7 +8,9 @@ import errno
 import io
 import os
 import shutil
+import signal
 import tempfile
+import threading
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, Callable, Iterator, Mapping, Sequence
@@ -109,8 +111,9 @@ def together(folder: Path) -> Iterator[tuple[Path, Callable[[Sequence[Path]], No
         with as_input_error(folder):
             for file in files:  # a folder in the way of the last file must not part the set
                 _require_no_folder(folder / file.name)
-            for file in files:
-                os.replace(file, folder / file.name)
+            with _undisturbed():
+                for file in files:
+                    os.replace(file, folder / file.name)
 
     made: list[Path] = []
     try:
@@ -159,20 +162,42 @@ def _draft_folder(parent: Path) -> Iterator[Path]:
     A draft folder has its lock already, by whoever writes in it, and nobody else does.
     """
     is_draft = parent.name.startswith(DRAFT)
-    with contextlib.nullcontext(False) if is_draft else _locked(parent) as alone:
-        if alone:
-            for left in parent.glob(f"{DRAFT}*"):
-                with _locked(left, wait=False) as unused:
-                    if unused:
-                        shutil.rmtree(left, ignore_errors=True)
-        draft = Path(tempfile.mkdtemp(prefix=DRAFT, dir=parent))
-        held = contextlib.ExitStack()
-        held.enter_context(_locked(draft))
+    with contextlib.ExitStack() as held:
+        with _undisturbed(), contextlib.nullcontext(False) if is_draft else _locked(parent) as alone:
+            if alone:
+                for left in parent.glob(f"{DRAFT}*"):
+                    with _locked(left, wait=False) as unused:
+                        if unused:
+                            shutil.rmtree(left, ignore_errors=True)
+            draft = Path(tempfile.mkdtemp(prefix=DRAFT, dir=parent))
+            held.callback(_remove, draft)
+            held.enter_context(_locked(draft))
+        yield draft
+
+
+def _remove(folder: Path) -> None:
+    with _undisturbed():
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+@contextmanager
+def _undisturbed() -> Iterator[None]:
+    """Signals that end a program wait until the block is over, where the main thread runs it."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    came: list[int] = []
+    numbers = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)]
+    before = {n: signal.getsignal(n) for n in numbers if signal.getsignal(n) not in (None, signal.SIG_IGN)}
     try:
-        with held:
-            yield draft
+        for n in before:
+            signal.signal(n, lambda number, frame: came.append(number))
+        yield
     finally:
-        shutil.rmtree(draft, ignore_errors=True)
+        for n, handler in before.items():
+            signal.signal(n, handler)
+        for n in came:
+            os.kill(os.getpid(), n)
 
 
 @contextmanager

@@ -83,6 +83,7 @@ def _trace_html(trace: Trace) -> str:
             ["|estimated − measured ZMP|", f"median {_pair(error['median'])} mm, 95 % below {_pair(error['p95'])} mm"],
             ["largest torque", _percent(said["peak_torque_ratio"])],
         ]
+        rows += [["fell short", shortfall] for shortfall in said["shortfalls"]]
         figure = _picture("walked", trace)
     versions = meta.get("versions", {})
     rows.append(["made by", f"zmpwalk {versions.get('zmpwalk', '?')}, MuJoCo {versions.get('mujoco', '?')}"])

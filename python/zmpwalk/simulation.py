@@ -681,6 +681,7 @@ def _describe_run(
         "control_dt": control_dt,
         "joint_names": list(controller.joint_names),
         "torque_limits": np.asarray(controller.torque_limit),
+        "joint_ranges": _joint_ranges(model, controller.joint_names),
         "fell": fell,
         "fall_time": float(info["fall_time"]) if fell else None,
         "fall_cause": str(info["fall_cause"] or "") if fell else "",
@@ -689,6 +690,12 @@ def _describe_run(
         "timing": _timing(info, control_dt),
     }
     return compiled, plain(meta)
+
+
+def _joint_ranges(model: mujoco.MjModel, names: Iterable[str]) -> list[list[float] | None]:
+    """Ends of the range of each joint [rad or m]; None for a joint that has none."""
+    joints = [mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_JOINT, name) for name in names]
+    return [model.jnt_range[j].tolist() if model.jnt_limited[j] else None for j in joints]
 
 
 def _versions() -> dict[str, str]:

@@ -26,6 +26,7 @@ from .motion import JointMotion
 from .profiles import VelocityProfile
 from .robots import description_from_dict
 from .robots.source import Source
+from .shortfalls import shortfalls
 
 __all__ = ["ABOVE", "FORMAT_VERSION", "Fall", "Trace"]
 
@@ -497,7 +498,9 @@ class Trace(RecordedColumns, Mapping):
                 single_support_rms;
             bound_excess_mm: farthest that the estimate went beyond the designed bounds in single support, [x, y];
             iterations: mean, max over the cycles whose ZMP was modified; modified_cycles; peak_torque_ratio;
-            cycle_us: median, p99 of the controller's time per cycle; real_time_factor.
+            cycle_us: median, p99 of the controller's time per cycle; real_time_factor;
+            shortfalls: what a walk that stood fell short of, a sentence each: a speed that was
+                missed, a joint on its stop, torques that were cut.
             Plain numbers that JSON can hold: what is not known is None.
 
         Usage: `print(trace.summary()["zmp_error_mm"])`
@@ -540,6 +543,7 @@ class Trace(RecordedColumns, Mapping):
             "peak_torque_ratio": np.nanmax(self.torque_ratio) if np.isfinite(self.torque_ratio).any() else None,
             "cycle_us": {key: (timing.get("cycle_us") or {}).get(key) for key in ("median", "p99")},
             "real_time_factor": timing.get("real_time_factor"),
+            "shortfalls": shortfalls(self),
         }
         return plain(summary, finite=True)
 

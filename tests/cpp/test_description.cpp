@@ -143,6 +143,21 @@ BOOST_AUTO_TEST_CASE(placed_robot_stands_at_rest_with_flat_soles_on_the_ground) 
     }
 }
 
+BOOST_AUTO_TEST_CASE(placed_without_a_height_soles_are_on_a_floor_that_is_above_them) {
+  const std::string floor = R"(<geom name="floor" type="plane" size="0 0 0.05" material="floor")";
+  for (const double height : {-0.02, 0.0, 0.002, 0.03, 0.1}) {
+    const ModelPtr m = load_text(replaced(mahru_text(), floor, floor + " pos='0 0 " + std::to_string(height) + "'"));
+    Robot robot(m.get(), describe(m.get()));
+    const MjDataPtr d = make_data(m.get());
+    robot.description().place(m.get(), d.get());
+    robot.read(d.get());
+    for (const FrameState& sole : robot.dynamics().sole) CHECK_NEAR(sole.p_WF.z(), std::max(height, 0.0), 1e-9);
+    robot.description().place(m.get(), d.get(), 0.0);
+    robot.read(d.get());
+    for (const FrameState& sole : robot.dynamics().sole) CHECK_NEAR(sole.p_WF.z(), 0.0, 1e-9);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(placing_with_a_wrong_description_changes_nothing) {
   RobotDescription bad = describe(mahru());
   bad.stand_joints["tail"] = 0.0;

@@ -160,6 +160,19 @@ BOOST_AUTO_TEST_CASE(bounds_are_what_a_weak_ankle_can_hold) {
   CHECK_NEAR(bounds.lower, Vec2(-0.09, -0.02), 1e-15);
 }
 
+BOOST_AUTO_TEST_CASE(com_rides_where_either_foot_gives_the_zmp_a_fifth_of_a_sole_ahead_and_behind) {
+  const auto place = [](double lower, double upper, double wanted) {
+    const ZmpBounds bounds{Vec2(lower, -0.05), Vec2(upper, 0.05)};
+    return place_with_room({bounds, bounds}, 0.25, wanted);
+  };
+  CHECK_NEAR(place(-0.09, 0.09, 0.01), 0.01, 0.0);
+  CHECK_NEAR(place(-0.09, 0.02, 0.01), -0.03, 1e-15);
+  CHECK_NEAR(place(-0.02, 0.09, 0.01), 0.03, 1e-15);
+  CHECK_NEAR(place(-0.09, 0.003, 0.0), -0.0435, 1e-15);  // no room for both: the middle
+  const ZmpBounds left{Vec2(-0.09, -0.05), Vec2(0.02, 0.05)}, right{Vec2(-0.08, -0.05), Vec2(0.04, 0.05)};
+  CHECK_NEAR(place_with_room({left, right}, 0.25, 0.01), -0.03, 1e-15);
+}
+
 BOOST_AUTO_TEST_CASE(bounds_without_room_are_refused_with_the_numbers) {
   CHECK_THROWS(zmp_bounds({0.25, 0.14, Vec2(-0.2, 0), 10.0, 20.0}, 600.0, 0.72, 0.9), InputError,
                "no room for the ZMP along x: the sole allows +-0.090000 m, the ankle -0.200000 +- 0.015000 m");

@@ -5,7 +5,9 @@ import io
 import json
 import math
 import os
+import pathlib
 import pickle
+import re
 import subprocess
 import sys
 import threading
@@ -343,3 +345,65 @@ def test_any_bytes_as_a_table_of_velocities_are_read_or_refused(tmp_path_factory
     except InputError:
         return
     assert np.isfinite(profile.v).all()
+
+
+# --- what the fuzzer found, and a short run of it
+
+
+@pytest.mark.parametrize("act", [
+    lambda: zmpwalk.disturbances.pushes_of([(1.0, 0.1, None, (0, math.nan, 0))]),
+    lambda: zmpwalk.disturbances.pushes_of([(1.0, 0.1, None, (0, math.inf, 0))]),
+    lambda: zmpwalk.disturbances.pushes_of([(10**400, 0.1, None, (0, 1, 0))]),
+    lambda: zmpwalk.Uncertainty(mass=10**400),
+    lambda: walking.controller.plan(2000.0, 17.7),
+])  # fmt: skip
+def test_a_number_without_measure_is_refused(act):
+    with pytest.raises(InputError):
+        act()
+
+
+def test_a_short_plan_has_a_row():
+    assert len(walking.controller.plan(5e-324, 0.01)["t"]) == 1
+
+
+def test_a_message_is_one_line_whatever_it_quotes(tmp_path):
+    (tmp_path / "v.csv").write_text('t,"v\nx\u2028\x85y"\n0,0\n')
+    for act in (lambda: VelocityProfile.from_csv(tmp_path / "v.csv"), lambda: zmpwalk.Terrain.of("a\nb")):
+        with pytest.raises(InputError) as caught:
+            act()
+        assert len(str(caught.value).splitlines()) == 1
+    assert ModelError("a\nb", "c\nd").reasons == ("a b", "c d")
+
+
+def test_a_trace_whose_joints_say_something_else_still_has_a_summary(walked):
+    for key, value in (("joint_ranges", [1, [2]]), ("joint_ranges", 5), ("joint_names", ["a"])):
+        Trace(dict(walked), {**walked.meta, key: value}).summary()
+
+
+def test_a_short_run_of_the_fuzzer_finds_nothing():
+    fuzz = str(pathlib.Path(__file__).resolve().parents[2] / "benchmarks" / "fuzz.py")
+    done = subprocess.run(
+        [sys.executable, fuzz, "--seed", "1", "--inputs", "300", "--seconds", "4"],
+        capture_output=True, text=True, timeout=100, check=False, env={**os.environ, "MPLBACKEND": "Agg"},
+    )  # fmt: skip
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert re.search(r"^\d+ inputs, 0 findings", done.stdout, re.M)
+    assert done.stdout.startswith("seed 1, ")
+
+
+def test_signals_wait_while_a_set_of_files_is_delivered(tmp_path):
+    code = (
+        "import os, signal, pathlib\nfrom zmpwalk import files\n"
+        "def stop(*a): raise KeyboardInterrupt\n"
+        "signal.signal(signal.SIGTERM, stop)\nreplace = os.replace\n"
+        "def slow(a, b):\n    os.kill(os.getpid(), signal.SIGTERM)\n    replace(a, b)\n"
+        "os.replace = slow\n"
+        "try:\n"
+        "    with files.together(pathlib.Path('out')) as (draft, deliver):\n"
+        "        for name in 'ab': (draft / name).write_text(name)\n"
+        "        deliver([draft / 'a', draft / 'b'])\n"
+        "except KeyboardInterrupt: print('ended')\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.stdout == "ended\n", done.stderr
+    assert sorted(os.listdir(tmp_path / "out")) == ["a", "b"]

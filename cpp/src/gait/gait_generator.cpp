@@ -23,6 +23,11 @@ constexpr double kSoft = 0.4;  // time constant with which the tracked speed yie
 
 Side first_swing(const WalkSettings& settings) { return settings.gait.first_swing; }
 
+WalkSettings with_lead(WalkSettings settings, const SoleSize& sole, const std::array<ZmpBounds, 2>& bounds) {
+  settings.com.lead = place_with_room(bounds, sole.length, settings.com.lead);
+  return settings;
+}
+
 }  // namespace
 
 Foothold foothold_of(const Vec3& p, const Mat3& R) { return {p.head<2>(), yaw_of(R)}; }
@@ -46,7 +51,7 @@ Vec2 reference_zmp(const GaitOutput& gait, const LinearInvertedPendulum& pendulu
 
 GaitGenerator::GaitGenerator(const WalkSettings& settings, const VelocityProfile& profile, const SoleSize& sole,
                              const std::array<ZmpBounds, 2>& bounds, const std::array<ZmpBounds, 2>& whole)
-    : settings_(settings),
+    : settings_(with_lead(settings, sole, bounds)),
       cadence_{{settings.gait.T_ds, settings.gait.T_ss},
                settings.gait.cadence_speed,
                settings.gait.cadence_exponent,
@@ -60,11 +65,12 @@ GaitGenerator::GaitGenerator(const WalkSettings& settings, const VelocityProfile
       profile_(settings.rate.limit ? profile.limited(limits_) : profile),
       plan_(profile_),
       schedule_(settings.gait.T_ds_first, settings.gait.T_ds, settings.gait.T_ss),
-      footsteps_(settings, plan_, sole),
+      footsteps_(settings_, plan_, sole),
       lateral_(settings.zmp.lateral_law, settings.zmp.lateral_shift * 0.5 * sole.width),
       pendulum_(1.0, 1.0),
       bounds_(bounds),
       whole_(whole),
+      stand_ahead_(place_with_room(bounds, sole.length, 0.0)),
       least_apart_(sole.foot_width + settings.steps.clearance),
       recovers_(settings.steps.timing && settings.steps.mode == Footsteps::kTied) {
   plan_.reserve();
@@ -285,7 +291,7 @@ const GaitOutput& GaitGenerator::update_steps(const GaitInput& in) {
   if (out_.at_rest) {
     if (recovers_) out_.room = room(in, whole_, whole_[out_.support]);
     // The ZMP leads the DCM back to the middle between the feet.
-    const Vec2 middle = 0.5 * (in.p_sole[kLeft] + in.p_sole[kRight]).head<2>();
+    const Vec2 middle = 0.5 * (in.p_sole[kLeft] + in.p_sole[kRight]).head<2>() + stand_ahead_ * out_.ahead;
     const Vec2 xi = in.com + pendulum_.Tc() * in.dcom;
     out_.zmp_rest = xi + settings_.gait.stand_gain * (xi - middle);
     out_.orbit_ahead = out_.dv_capture = 0.0;
@@ -304,8 +310,8 @@ ZmpBounds GaitGenerator::sole_room(const Vec3& velocity) const {
   const double pace = cadence_.pace(velocity);
   if (pace == 1.0) return out;
   const double share = std::pow(pace, settings_.zmp.sole_exponent);
-  out.lower.x() *= share;
-  out.upper.x() *= share;
+  out.lower.x() = stand_ahead_ + share * (out.lower.x() - stand_ahead_);
+  out.upper.x() = stand_ahead_ + share * (out.upper.x() - stand_ahead_);
   return out;
 }
 

@@ -1,5 +1,6 @@
 #include "zmpwalk/gait/plan.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "zmpwalk/gait/point_walk.hpp"
@@ -11,14 +12,17 @@ WalkPlan plan_walk(const WalkSettings& given, const VelocityProfile& profile, co
                    const std::array<ZmpBounds, 2>& bounds, const SoleSize& sole, const GaitInput& start,
                    double duration) {
   require_positive("duration", duration);
-  constexpr double kMostRows = 1e7;
+  constexpr double kMostRows = 1e7, kLongest = 0.1;  // a longer time step goes over a double support [s]
   const double dt = given.control.dt;
   require_positive("dt", dt);
   if (!(duration / dt <= kMostRows))
     throw InputError(
         "a plan over this duration, at this time step, has more than ten million rows: choose a shorter "
         "duration or a longer time step");
-  const auto count = static_cast<std::size_t>(std::ceil(duration / dt - 1e-9));
+  if (dt > kLongest)
+    throw InputError("dt is " + std::to_string(dt) + " s; a plan takes time steps of at most " +
+                     std::to_string(kLongest) + " s");
+  const auto count = std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(duration / dt - 1e-9)));
   WalkPlan plan;
   plan.t.reserve(count);
   plan.com.reserve(count);

@@ -84,7 +84,8 @@ void GaitGenerator::feel_pushes(const GaitInput& in) {
   const double Tc = pendulum_.Tc();
   if (in.dcom_expected.allFinite())
     pushed_way_ += Tc * (in.dcom - in.dcom_expected) - settings_.control.dt / (kForget * Tc) * pushed_way_;
-  const Vec2 way = axes_of(out_.ahead_S).transpose() * pushed_way_, whole = whole_[out_.support].upper;
+  const Vec2 way = axes_of(out_.ahead_S).transpose() * pushed_way_,
+             whole = 0.5 * (whole_[out_.support].upper - whole_[out_.support].lower);
   pushed_ = smooth_step((way.cwiseAbs().cwiseQuotient(whole).maxCoeff() - kFelt) / (kCounts - kFelt));
   // An edge of the ground pushes as well, unnoticed: the ZMP stays at it, wherever the torque would have it.
   if (off_plan_ > kCalm && !out_.at_rest && !starting_)
@@ -94,7 +95,8 @@ void GaitGenerator::feel_pushes(const GaitInput& in) {
 Vec2 GaitGenerator::off_plan(const GaitInput& in) const {
   const Vec2 left = left_of(out_.ahead_M), from = in.com - out_.origin, &whole = whole_[out_.support].upper;
   const double Tc = pendulum_.Tc(), x = from.dot(out_.ahead_M) - out_.orbit_middle;
-  const double ahead = Tc * (in.dcom.dot(out_.ahead_M) - out_.orbit.velocity(x)) / sole_room_.upper.x();
+  const double ahead =
+      Tc * (in.dcom.dot(out_.ahead_M) - out_.orbit.velocity(x)) / (0.5 * (sole_room_.upper.x() - sole_room_.lower.x()));
   const double aside = before_switch() ? 0.0 : ((from + Tc * in.dcom).dot(left) - xi_planned_) / whole.y();
   return {ahead, aside};
 }

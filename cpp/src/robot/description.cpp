@@ -1,6 +1,8 @@
 #include "zmpwalk/robot/description.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "zmpwalk/math/error.hpp"
@@ -11,6 +13,8 @@
 
 namespace zmpwalk {
 namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 int find(const Model& m, int type, const std::string& name) { return mj::name2id(m, type, name.c_str()); }
 
@@ -91,6 +95,28 @@ void read_stand(const Model& m, int root, int key, RobotDescription& out) {
     out.stand_joints[object_name(m, mj::kJoint, j)] = qpos[m.jnt_qposadr[j]];
 }
 
+/// How far the soles are in the floor, by the contacts of `d` [m]: MuJoCo puts a contact half way between the two surfaces.
+double depth_in_floor(const Model& m, const Data& d, const RobotDescription& description) {
+  constexpr double kLevel = 0.9;  // of a contact's normal that points up: others are walls
+  double depth = 0.0;
+  for (const Foot& foot : description.feet) {
+    const int body = find(m, mj::kBody, foot.body);
+    const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> R(d.xmat + 9 * body);
+    const double sole = d.xpos[3 * body + 2] + R.row(2).dot(foot.sole_pos);
+    double lowest = kInfinity;
+    for (int i = 0; i < *d.ncon; ++i) {
+      const zmpwalk_contact contact = mj::contact(d, i);
+      if (contact.geom[0] < 0 || contact.geom[1] < 0 || std::abs(contact.frame[2]) < kLevel) continue;
+      const int one = m.geom_bodyid[contact.geom[0]], two = m.geom_bodyid[contact.geom[1]];
+      const bool floor = m.body_weldid[one] == 0 || m.body_weldid[two] == 0;
+      if (floor && (contains(ancestors(m, one), body) || contains(ancestors(m, two), body)))
+        lowest = std::min(lowest, contact.pos[2]);
+    }
+    if (std::isfinite(lowest)) depth = std::max(depth, 2.0 * (lowest - sole));
+  }
+  return depth;
+}
+
 }  // namespace
 
 RobotDescription describe(const Model& m) {
@@ -123,14 +149,14 @@ void require_same_model(const Data& of_model, const Data& d) {
                      std::to_string(of_model.size) + "); use mujoco.MjData(model)");
 }
 
-void RobotDescription::place(const Model& m, const Data& d, double ground) const {
+void RobotDescription::place(const Model& m, const Data& d, std::optional<double> ground) const {
   check(m);
   require_same_model(OwnData(m), d);
-  require_finite("ground", ground);
+  require_finite("ground", ground.value_or(0.0));
   const int root = free_joint(m);
   double* base = d.qpos + m.jnt_qposadr[root];
   for (int i = 0; i < 3; ++i) base[i] = stand_base_pos[i];
-  base[2] += ground;
+  base[2] += ground.value_or(0.0);
   for (int i = 0; i < 4; ++i) base[3 + i] = stand_base_quat[i];
   for (int i = 0; i < 6; ++i) d.qvel[m.jnt_dofadr[root] + i] = 0.0;
   for (const auto& [joint_name, value] : stand_joints) {
@@ -138,6 +164,11 @@ void RobotDescription::place(const Model& m, const Data& d, double ground) const
     d.qpos[m.jnt_qposadr[joint]] = value;
     d.qvel[m.jnt_dofadr[joint]] = 0.0;
   }
+  mj::forward(m, d);
+  constexpr double kRests = 1e-3;  // a robot that stands has sunk into the contact by about as much [m]
+  const double depth = ground ? 0.0 : depth_in_floor(m, d, *this);
+  if (depth < kRests) return;
+  base[2] += depth;
   mj::forward(m, d);
 }
 

@@ -74,7 +74,7 @@ Robot::Robot(const Model& m, const RobotDescription& description)
       arm_joints_.push_back(j);
   }
   // Ankle position in the sole frame, at the start pose (it does not depend on the ankle's angle to first order).
-  description.place(m, data_);
+  description.place(m, data_, 0.0);
   read(data_);
   for (const Side side : kSides) {
     const int ankle = m.dof_jntid[dof0_ + 6 + leg_joints_[side].back()];
@@ -315,7 +315,7 @@ double Robot::sole_friction(Side side) const {
 
 Vec2 Robot::foot_reach(Side side) const {
   OwnData at_stand(m_);
-  description_.place(m_, at_stand);
+  description_.place(m_, at_stand, 0.0);
   mj::kinematics(m_, at_stand);
   const BodyFrame& frame = frame_[side];
   const Mat3 R_WF = Mat3(ConstRowMat3Map(at_stand.xmat + 9 * frame.body)) * frame.R_BF;

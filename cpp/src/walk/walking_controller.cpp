@@ -186,10 +186,11 @@ void WalkingController::require_startable() const {
   command_limit_.require_within(profile_);
   // When the robot starts from a stand, the COM must not run away from the first stance foot before the second foot stands.
   const double room = reach_.along_ground(0.0);
-  if (start_excursion(1.0) <= room) return;
-  if (start_excursion(0.0) > room)
-    throw InputError("the COM would run " + std::to_string(start_excursion(0.0)) +
-                     " m away even at rest, the legs reach " + std::to_string(room) +
+  const double at_rest = std::abs(start_excursion(0.0));
+  if (at_rest <= room && start_excursion(1.0) <= room) return;
+  if (at_rest > room)
+    throw InputError("the COM would run " + std::to_string(at_rest) + " m away even at rest, the legs reach " +
+                     std::to_string(room) +
                      " m: at the start pose it lies too far from the feet's middle, or the ankles are "
                      "too weak to hold it there");
   double possible = 0.0, impossible = 1.0;
@@ -205,7 +206,10 @@ void WalkingController::require_startable() const {
 
 double WalkingController::start_excursion(double scale) const {
   const auto& [left, right] = robot_.dynamics().sole;
-  const double x_0 = (robot_.dynamics().com - 0.5 * (left.p_WF + right.p_WF)).head<2>().norm();
+  const Vec2 off = (robot_.dynamics().com - 0.5 * (left.p_WF + right.p_WF)).head<2>();
+  const Vec2 ahead = (left.R_WF.col(0) + right.R_WF.col(0)).head<2>().normalized();
+  const double behind = -off.dot(ahead);
+  const double x_0 = behind > std::abs(off.dot(left_of(ahead))) ? -off.norm() : off.norm();
   return zmpwalk::start_excursion(settings_, gait_.plan(), height_.pendulum(), bounds_[kLeft], x_0, scale);
 }
 

@@ -19,4 +19,12 @@ ZmpBounds zmp_bounds(const SoleLimits& sole, double weight, double sole_fraction
   return out;
 }
 
+double place_with_room(const std::array<ZmpBounds, 2>& bounds, double sole_length, double wanted) {
+  constexpr double kRoom = 0.2;  // [sole_length]
+  const double lower = std::max(bounds[0].lower.x(), bounds[1].lower.x());
+  const double upper = std::min(bounds[0].upper.x(), bounds[1].upper.x());
+  const double least = lower + kRoom * sole_length, most = upper - kRoom * sole_length;
+  return least < most ? std::clamp(wanted, least, most) : 0.5 * (lower + upper);
+}
+
 }  // namespace zmpwalk

@@ -1,8 +1,8 @@
 """The command `zmpwalk`: a file for each of walk, view, plot, video, push-map, robustness, sweep, inspect, humanoid,
 settings, bench, build-adapter.
 
-Exit codes: 0 the robot stood to the end, 3 it fell (everything is written all the same), 2 bad input (one line on
-stderr, nothing written), 130 stopped by Ctrl-C (nothing written), 1 a fault of zmpwalk's own.
+Exit codes: 0 the robot stood to the end, 3 it fell, or fell short with --strict (everything is written all the same),
+2 bad input (one line on stderr, nothing written), 130 stopped by Ctrl-C (nothing written), 1 a fault of zmpwalk's own.
 """
 
 from __future__ import annotations
@@ -48,7 +48,11 @@ def main(arguments: list[str] | None = None) -> int:
     except OSError as error:
         say_no_more()
         code = complain(f"standard output cannot be written: {cause(error)}")
-    return 128 + ended[0] if ended else code
+    except KeyboardInterrupt:  # while the last words were said: all is done
+        code = INTERRUPTED
+    finally:
+        ended.working = False
+    return 128 + ended.came[0] if ended.came else code
 
 
 def _run(arguments: list[str] | None) -> int:
@@ -74,20 +78,28 @@ def _run(arguments: list[str] | None) -> int:
         return FAULT
 
 
-def _end_by_signals() -> list[int]:
-    """SIGTERM and SIGHUP end a command as Ctrl-C does, with nothing left behind. Returns those that came."""
-    came: list[int] = []
+class _Signals:
+    """The signals that came. While the command is `working` they end it; after that they change nothing any more."""
 
-    def end(number: int, frame: Any) -> None:
-        came.append(number)
-        raise KeyboardInterrupt
+    def __init__(self) -> None:
+        self.came: list[int] = []
+        self.working = True
 
+    def end(self, number: int, frame: Any) -> None:
+        if self.working:
+            self.came.append(number)
+            raise KeyboardInterrupt
+
+
+def _end_by_signals() -> _Signals:
+    """SIGTERM and SIGHUP end a command as Ctrl-C does, with nothing left behind."""
+    signals = _Signals()
     if threading.current_thread() is threading.main_thread():
         for name in ("SIGTERM", "SIGHUP"):
             number = getattr(signal, name, None)
             if number is not None and signal.getsignal(number) is signal.SIG_DFL:
-                signal.signal(number, end)
-    return came
+                signal.signal(number, signals.end)
+    return signals
 
 
 def _say_what_can_be_said() -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,7 @@ import click
 from ..errors import InputError, ModelError
 from ..files import as_input_error, whole
 from ..robots import examine, robot_file, write_description
+from ..tryout import try_out
 from .options import PathName, RobotName
 from .terminal import BAD_INPUT, STOOD, complain, new_console, number
 
@@ -47,6 +49,9 @@ def command(model: str, as_json: bool, write: Path | None, figure: Path | None) 
         for reason in error.reasons:
             complain(reason)
         return BAD_INPUT
+    tried, remarks = try_out(loaded, proposal.description, proposal.table)
+    remarks = [*proposal.remarks, *remarks]
+    proposal = replace(proposal, remarks=remarks, table={**proposal.table, "tried": tried, "remarks": remarks})
     _deliver(model, loaded, proposal, write, figure)
     if as_json:
         click.echo(json.dumps(proposal.table, indent=2, allow_nan=False))
@@ -67,6 +72,26 @@ def _deliver(name: str, model: Any, proposal: Any, description: Path | None, fig
             draw(model, proposal).savefig(drafts.enter_context(whole(figure)))
         if description is not None:
             write_description(description, robot_file(name), proposal)
+
+
+def _add_trial(facts: Any, tried: dict[str, Any]) -> None:
+    """Rows about the walk that was tried."""
+    end = "stood" if tried["stood"] else "did not walk: see below"
+    facts.add_row("tried", f"{tried['speed_mps']:.3f} m/s: {end}")
+    for row, key in (("  torque, stand", "torque_stand"), ("  torque, walk", "torque_walk")):
+        if tried.get(key):
+            joint, share = tried[key]
+            facts.add_row(row, f"{100 * share:.0f} % of the limit of {joint}")
+    if tried.get("range_left"):
+        joint, end_of_range, left = tried["range_left"]
+        facts.add_row("  range", f"{joint} came to {max(left, 0.0):.3f} rad from its end at {end_of_range:+.3f}")
+    if tried.get("yaw_moment_Nm") is not None and tried.get("yaw_friction_Nm") is not None:
+        facts.add_row(
+            "  yaw moment", f"{tried['yaw_moment_Nm']:.1f} N m, friction holds {tried['yaw_friction_Nm']:.1f} N m"
+        )
+    if tried.get("zmp_error_mm"):
+        x, y = (number(error, 2) for error in tried["zmp_error_mm"])
+        facts.add_row("  ZMP error", f"{x} / {y} mm, x / y, 95 % of single support")
 
 
 def _print_inspection(found: dict[str, Any]) -> None:
@@ -98,6 +123,7 @@ def _print_inspection(found: dict[str, Any]) -> None:
         facts.add_row(f"{way} up to", f"{axis['most']:.3f} {unit}: {axis['limit']}")
     if not found["speed_limits"]:
         facts.add_row("speed", "none: see below")
+    _add_trial(facts, found["tried"])
     facts.add_row(
         "stand pose", (found["stand_keyframe"] and f"keyframe {found['stand_keyframe']}") or "from the description"
     )

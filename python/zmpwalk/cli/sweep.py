@@ -11,7 +11,7 @@ import click
 import numpy as np
 
 from ..errors import InputError
-from ..files import as_input_error
+from ..files import as_input_error, whole
 from ..settings import read_toml
 from ..sweeps import sweep
 from .options import PathName, format_option
@@ -68,8 +68,8 @@ def command(
     if not no_figures:
         files.append(out / f"sweep.{kind}")
         figure = found.plot(y) if y else found.plot()
-        with as_input_error(files[1]):
-            figure.savefig(files[1])
+        with as_input_error(files[1]), whole(files[1]) as draft:
+            figure.savefig(draft)
     console = new_console()
     console.print(repr(found), soft_wrap=True)
     for row in found.failures:

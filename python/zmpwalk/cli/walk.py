@@ -53,6 +53,12 @@ MISMATCH = 0.002  # feet off the planned velocity by this are worth a warning [m
 )
 @click.option("--out", type=PathName(), help="Folder for trace, summary and figures.  [default: out/ROBOT-LAW]")
 @click.option("--json", "as_json", is_flag=True, help="Print nothing but the summary, as JSON, on stdout.")
+@click.option(
+    "--strict",
+    is_flag=True,
+    help="Exit with 3, as after a fall, if the robot stood but fell short: missed its speed by more than 5 %, leaned "
+    "on the stop of a joint, or asked for more torque than there is.",
+)
 @click.option("--no-figures", is_flag=True, help="Write only trace and summary, which is faster.")
 @format_option
 def command(
@@ -69,6 +75,7 @@ def command(
     on_fall: str,
     out: Path | None,
     as_json: bool,
+    strict: bool,
     no_figures: bool,
     kind: str,
 ) -> int:
@@ -124,8 +131,14 @@ def command(
             f"zmpwalk: fell at t = {summary['fall_time']:.3f} s: {summary['fall_cause'] or 'cause unknown'}",
             file=sys.stderr,
         )
+    for shortfall in summary["shortfalls"]:
+        print(
+            f"zmpwalk: {'before it fell' if summary['fell'] else 'it stood, but fell short'}: {shortfall}",
+            file=sys.stderr,
+        )
+    if summary["fell"]:
         return FELL
-    return STOOD
+    return FELL if strict and summary["shortfalls"] else STOOD
 
 
 def _write(trace: Trace, folder: Path, kind: str | None) -> list[Path]:
@@ -186,6 +199,9 @@ def _print_summary(summary: dict[str, Any], out: Path, count: int) -> None:
     facts.add_row(
         "control cycle", f"{number(cycle['median'], 0)} / {number(cycle['p99'], 0)}", "µs, median / 99th percentile"
     )
+    for shortfall in summary["shortfalls"]:
+        what, _, _ = shortfall.partition(":")
+        facts.add_row("fell short of", what, "see below")
     facts.add_row("real-time factor", number(summary["real_time_factor"], 1), "× real time")
     console.print(steps, "", facts, sep="\n")
     console.print(f"\n{count} files in {out}", soft_wrap=True)

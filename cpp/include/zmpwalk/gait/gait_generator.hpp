@@ -175,6 +175,7 @@ class GaitGenerator {
   SwingFoot swing_foot_;
   LinearInvertedPendulum pendulum_;
   std::array<ZmpBounds, 2> bounds_, whole_;
+  double stand_ahead_;  // where a standing robot has its DCM, from the middle between the soles along the heading [m]
   double least_apart_;  // middles of feet beside each other, so that they keep clear [m]
   bool recovers_;       // from pushes
   StepAdjustment adjustment_;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,11 +39,12 @@ struct RobotDescription {
   /// Number of the free joint: that of `root_joint`, or if this is empty, of the tree to which the left foot belongs. The names must be right.
   int free_joint(const Model& m) const;
 
-  /// Puts the robot into its start pose, at rest, with flat soles at the height `ground` in W [m].
+  /// Puts the robot into its start pose, at rest, with flat soles at the height `ground` in W [m]. Without one they are where the description has them,
+  /// or on the floor, where that is higher: in it, contacts would throw the robot out.
   ///
   /// Only the robot's own qpos and qvel change, so that it may be any tree of a scene. Then it calls mj_forward.
   /// @throws ModelError as check()
-  void place(const Model& m, const Data& d, double ground = 0.0) const;
+  void place(const Model& m, const Data& d, std::optional<double> ground = std::nullopt) const;
 };
 
 /// Throws InputError unless both mjData have the same layout, that is, come from the same model.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 
 #include "zmpwalk/math/types.hpp"
 
@@ -22,6 +23,10 @@ struct ZmpBounds {
     return out;
   }
 };
+
+/// The place along x nearest to `wanted`, about the soles' centres, from which the ZMP of either foot can go a fifth of a sole ahead and as much
+/// behind; the middle of what both feet allow where there is less [m]. @param sole_length [m]
+double place_with_room(const std::array<ZmpBounds, 2>& bounds, double sole_length, double wanted);
 
 /// What limits the ZMP under one foot: the size of the sole, and the torque of the ankle.
 struct SoleLimits {

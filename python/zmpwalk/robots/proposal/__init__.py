@@ -21,7 +21,7 @@ from ...errors import Error, ModelError
 from ...files import as_input_error, whole
 from ..description import description_to_dict
 from .legs import find_robot
-from .remarks import find_remarks, remark_usual_walk, usual_speed
+from .remarks import find_remarks, remark_ranges, remark_room, remark_usual_walk, usual_speed
 from .soles import remark_soles
 from .stand import find_stand
 from .table import inspect_robot
@@ -99,6 +99,7 @@ def appraise(model: mujoco.MjModel, description: RobotDescription, remarks: list
     """
     remarks = list(remarks or []) + find_remarks(model, description)
     table = inspect_robot(model, description)
+    remarks += remark_ranges(table["joints"])
     speed = usual_speed(model, table["com_height_m"])
     try:
         controller, refusal = _controller(model, description, speed), ""
@@ -113,6 +114,7 @@ def appraise(model: mujoco.MjModel, description: RobotDescription, remarks: list
         }
         bounds = {side: [b.tolist() for b in controller.zmp_bounds(side)] for side in ("left", "right")}
         table["zmp_bounds_m"] = bounds
+        remarks += remark_room(description.stand_ahead(model), bounds)
         remarks += remark_usual_walk(model, description, controller, speed, refusal)
     except Error as error:
         table["speed_limit_mps"] = table["speed_limits"] = table["zmp_bounds_m"] = None
@@ -168,10 +170,24 @@ def write_description(path: str | os.PathLike, model_file: str | os.PathLike, pr
 
 
 def _describe(robot: Found) -> RobotDescription:
+    remark_soles(robot)
+    remarks = list(robot.remarks)
+    description = _standing(robot)
+    try:
+        ahead = description.stand_ahead(robot.tree.model)
+    except Error:  # the model's rules or the controller say what is wrong
+        return description
+    if ahead == 0.0 or description.stand_keyframe:
+        return description
+    robot.remarks[:] = remarks
+    return _standing(robot, ahead)
+
+
+def _standing(robot: Found, ahead: float = 0.0) -> RobotDescription:
+    """The description of a robot whose COM stands `ahead` of the middle of its soles [m]."""
     model, tree = robot.tree.model, robot.tree
     joints = [j for j in range(model.njnt) if model.jnt_bodyid[j] in tree.bodies]
-    remark_soles(robot)
-    data, keyframe = find_stand(robot)
+    data, keyframe = find_stand(robot, ahead)
     root = joints[0]
     base = data.qpos[model.jnt_qposadr[root] :][:7]
     feet = [

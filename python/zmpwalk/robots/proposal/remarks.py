@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from typing import Any
 
 import mujoco
 import numpy as np
@@ -14,6 +15,8 @@ from .soles import touching_geoms
 from .tree import EQ, GEOM, OBJ, Tree, body_label, find_id, joint_names, name_of, root_body, tendon_joints
 
 USUAL_SPEED = 0.06  # Froude number v / sqrt(g z_c)
+LEAST_RANGE = 0.1  # of a leg's joint: with less no leg walks [rad]
+MOST_RANGE = 8.0  # with more the joint has no stop worth the name [rad]
 HEAVY_ROTOR = 0.65  # share of the knee's torque from which it saturates
 
 
@@ -82,6 +85,52 @@ def find_remarks(model: mujoco.MjModel, description: RobotDescription) -> list[s
         if model.eq_type[e] == EQ.mjEQ_JOINT and active[e] and any(model.jnt_bodyid[j] in tree.bodies for j in coupled):
             label = name_of(model, OBJ.mjOBJ_EQUALITY, e) or e
             remarks.append(f"equality '{label}' couples {joint_names(model, coupled)}; its force is not modelled")
+    return remarks
+
+
+def remark_room(ahead: float, bounds: dict[str, list[list[float]]]) -> list[str]:
+    """A remark where weak ankles leave the ZMP little room ahead of, or behind, the middle of the soles.
+
+    Args:
+        ahead: how far ahead of that middle the COM rides for it [m] (`RobotDescription.stand_ahead`).
+        bounds: of the ZMP about the sole's centre, lower and upper, by side [m].
+    """
+    if ahead == 0.0:
+        return []
+    front = min(upper[0] for _, upper in bounds.values())
+    back = min(-lower[0] for lower, _ in bounds.values())
+    where = f"{1000 * abs(ahead):.0f} mm {'ahead of' if ahead > 0 else 'behind'} it"
+    return [
+        f"ankles: they hold the ZMP up to {1000 * front:.0f} mm ahead of the sole's middle and {1000 * back:.0f} mm "
+        f"behind it, so the COM rides {where}; stronger ankle pitch motors would give room"
+    ]
+
+
+def remark_ranges(joints: list[dict[str, Any]]) -> list[str]:
+    """Remarks on leg joints whose range is hardly one, or does not hold the start pose.
+
+    Args:
+        joints: as `inspect_robot` lists them.
+    """
+    remarks = []
+    for joint in joints:
+        if joint["range_rad"] is None or not joint["role"].endswith("leg"):
+            continue
+        (low, high), stand = joint["range_rad"], joint["stand_rad"]
+        text = f"{low:+.3f} .. {high:+.3f} rad"
+        if high - low < LEAST_RANGE:
+            wide, as_radians = np.degrees(high - low), f"{np.degrees(low):+.2f} .. {np.degrees(high):+.2f}"
+            remarks.append(
+                f"range: {joint['name']} turns only {text}, {wide:.1f} degrees in all. Was {as_radians} meant, in "
+                'radians? Then the file needs <compiler angle="radian"/>'
+            )
+        elif high - low > MOST_RANGE:
+            remarks.append(
+                f"range: {joint['name']} turns {text}, more than a full turn. Was {np.radians(low):+.2f} .. "
+                f'{np.radians(high):+.2f} meant? Then the file\'s angles are degrees: <compiler angle="degree"/>'
+            )
+        if not low - 1e-3 <= stand <= high + 1e-3:
+            remarks.append(f"range: {joint['name']} stands at {stand:+.3f} rad, outside its range {text}")
     return remarks
 
 

@@ -12,8 +12,12 @@ BENT = 0.915  # hip to ankle at the stand, of the straight leg: knees at 0.83 ra
 ARM_OUT = 0.3  # of a lowered arm from the vertical [rad]
 
 
-def find_stand(robot: Found) -> tuple[mujoco.MjData, str]:
-    """A pose with flat level soles on z = 0, knees bent, COM over their middle; and the keyframe that it is, or ''."""
+def find_stand(robot: Found, ahead: float = 0.0) -> tuple[mujoco.MjData, str]:
+    """A pose with flat level soles on z = 0, knees bent, COM over their middle; and the keyframe that it is, or ''.
+
+    Args:
+        ahead: how far the COM is to stand ahead of that middle, where no keyframe serves [m].
+    """
     model = robot.tree.model
     keyframe = _best_keyframe(robot)
     data = mujoco.MjData(model)
@@ -39,7 +43,7 @@ def find_stand(robot: Found) -> tuple[mujoco.MjData, str]:
             f"feet: {distance:.3f} m apart at the reference pose, set {least:.3f} m apart at the stand"
         )
         distance = least
-    _bend(robot, data, distance)
+    _bend(robot, data, distance, ahead)
     _put_on_ground(robot, data)
     if keyframe < 0:
         robot.remarks.append("stand pose: by inverse kinematics, for no keyframe stands on flat soles")
@@ -167,9 +171,9 @@ def _lower_arms(robot: Found, data: mujoco.MjData) -> None:
             robot.remarks.append(f"stand pose: the arm at {body_label(model, shoulder)} is let down by {moved}")
 
 
-def _bend(robot: Found, data: mujoco.MjData, distance: float) -> None:
-    """Bends the legs to `BENT` of their length, with level soles `distance` apart and the COM over their middle. The
-    base stays.
+def _bend(robot: Found, data: mujoco.MjData, distance: float, ahead: float) -> None:
+    """Bends the legs to `BENT` of their length, with level soles `distance` apart and the COM `ahead` of their middle.
+    The base stays.
 
     Raises:
         ModelError: the joints' ranges do not let it.
@@ -188,7 +192,7 @@ def _bend(robot: Found, data: mujoco.MjData, distance: float) -> None:
         _forward(model, data)
         height = data.subtree_com[root][2] - np.mean([_sole(data, side)[0][2] for side in robot.sides])
         for _ in range(40):
-            com = data.subtree_com[root].copy()
+            com = data.subtree_com[root] - ahead * robot.forward
             error = 0.0
             for side, sign in zip(robot.sides, (1, -1)):
                 centre = com - UP * height + sign * robot.left * distance / 2
@@ -197,9 +201,8 @@ def _bend(robot: Found, data: mujoco.MjData, distance: float) -> None:
             share = np.mean([_sagittal(robot, data, side) for side in robot.sides], axis=0)
             lift = BENT * (share[0] + share[1]) - share[2]
             height += lift
-            off = np.linalg.norm(
-                (data.subtree_com[root] - np.mean([_sole(data, side)[0] for side in robot.sides], axis=0))[:2]
-            )
+            over = data.subtree_com[root] - ahead * robot.forward
+            off = np.linalg.norm((over - np.mean([_sole(data, side)[0] for side in robot.sides], axis=0))[:2])
             if max(error, abs(lift), off) < 1e-7 * max(1.0, height):
                 break
         if error < worst:
