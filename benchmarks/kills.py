@@ -49,6 +49,8 @@ def is_whole(file: Path) -> bool:
     try:
         if file.suffix == ".npz":
             return bool(len(zmpwalk.Trace.load(file).t))
+        if file.suffix == ".walks":  # a journal: it may be empty, and only its last line may be cut
+            return all(json.loads(line) for line in raw.splitlines()[:-1])
         if file.suffix == ".json":
             return bool(json.loads(raw))
         if file.suffix == ".png":
