@@ -17,6 +17,7 @@ import importlib.util
 import json
 import os
 import random
+import shutil
 import signal
 import subprocess
 import sys
@@ -48,6 +49,8 @@ def is_whole(file: Path) -> bool:
     try:
         if file.suffix == ".npz":
             return bool(len(zmpwalk.Trace.load(file).t))
+        if file.suffix == ".walks":  # a journal: it may be empty, and only its last line may be cut
+            return all(json.loads(line) for line in raw.splitlines()[:-1])
         if file.suffix == ".json":
             return bool(json.loads(raw))
         if file.suffix == ".png":
@@ -102,11 +105,10 @@ class Victim:
 
     def forget(self) -> None:
         for kept in self.out.glob("sweep.*.walks"):
-            for file in sorted(kept.rglob("*"), reverse=True):
-                if file.is_dir():
-                    file.rmdir()
-                else:
-                    file.unlink()
+            if kept.is_dir():
+                shutil.rmtree(kept)
+            else:
+                kept.unlink()
 
     def _run(self, words: list[str]) -> None:
         done = subprocess.run(
@@ -140,7 +142,8 @@ class Victim:
         torn = [name for name in sorted(there) if not name.startswith(".") and (self.out / name).is_file()
                 and not is_whole(self.out / name)]  # fmt: skip
         said += [f"torn: {name}" for name in torn]
-        said += [f"lost: {name}" for name in sorted(self.before - there)]
+        lost = {name for name in self.before - there if not name.endswith(".walks")}  # those went before
+        said += [f"lost: {name}" for name in sorted(lost)]
         if not torn and not agree(self.out):
             said.append("torn: summary and trace of different walks")
         if how != "SIGKILL":
