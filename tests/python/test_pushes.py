@@ -291,8 +291,8 @@ def test_a_robot_that_changes_the_time_of_its_step_bears_more_outwards():
 
 def test_a_trunk_that_yields_bears_more_backward():
     t = lift_off() + 0.7  # in the double support that follows
-    assert judge(pushed(0.46, (-1.0, 0.0, 0.0), t), t).survived
-    assert not judge(pushed(0.46, (-1.0, 0.0, 0.0), t, settings={"trunk_yields": False}), t).survived
+    assert judge(pushed(0.51, (-1.0, 0.0, 0.0), t), t).survived
+    assert not judge(pushed(0.51, (-1.0, 0.0, 0.0), t, settings={"trunk_yields": False}), t).survived
 
 
 def test_what_catches_the_robot_leaves_a_quiet_walk_as_it_is_to_the_bit():
