@@ -66,7 +66,8 @@ GaitGenerator::GaitGenerator(const WalkSettings& settings, const VelocityProfile
       bounds_(bounds),
       whole_(whole),
       least_apart_(sole.foot_width + settings.steps.clearance),
-      recovers_(settings.steps.timing && settings.steps.mode == Footsteps::kTied) {
+      recovers_(settings.steps.timing && settings.steps.mode == Footsteps::kTied),
+      sole_(sole) {
   plan_.reserve();
 }
 
@@ -81,7 +82,10 @@ void GaitGenerator::reset(const GaitInput& start, const LinearInvertedPendulum& 
   pushed_way_.setZero();
   pushed_ = off_plan_ = 0.0;
   footsteps_.end_step();
+  footsteps_.know(ground_);
+  fits_ = steered_ = told_ = false;
   out_ = GaitOutput{};
+  out_.known = ground_ != nullptr;
   const std::array<Foothold, 2> feet = feet_of(start);
   out_.heading = feet[kLeft].yaw + 0.5 * wrap_angle(feet[kRight].yaw - feet[kLeft].yaw);
   footsteps_.reset(feet, out_.heading);
@@ -112,11 +116,19 @@ void GaitGenerator::retime(double remaining) {
 void GaitGenerator::take_command(double t) {
   if (!commanded_) return;
   commanded_ = false;
+  wanted_ = command_;
+  told_ = true;
+  if (fits_) return;  // the next step fits it to the ground
+  steered_ = false;
+  steer(t, command_);
+}
+
+void GaitGenerator::steer(double t, const Vec3& target) {
   const Vec3 spent = (plan_.velocity(t) - plan_.velocity(t_command_)).cwiseAbs();
   allowance_ += ((t - t_command_) * limits_.acceleration - spent).cwiseMax(0.0);
   allowance_ = allowance_.cwiseMin(limits_.jump);
   const Vec3 before = plan_.velocity(t);
-  plan_.steer(t, command_, limits_, allowance_);
+  plan_.steer(t, target, limits_, allowance_);
   footsteps_.replan();
   allowance_ = (allowance_ - (plan_.velocity(t) - before).cwiseAbs()).cwiseMax(0.0);
   t_command_ = t;
@@ -231,11 +243,17 @@ void GaitGenerator::move_swing_foot(const GaitInput& in) {
     const double z_land = std::isnan(in.ground) ? in.p_sole[other(out_.swing)].z() : in.ground;
     const bool feels = in.uneven || settings_.gait.touch_down == TouchDown::kContact;
     const double height = (in.uneven ? kLift : 1.0) * settings_.swing.height;
-    swing_foot_.begin(in.p_sole[out_.swing], in.R_sole[out_.swing], duration, z_land, height,
-                      feels ? settings_.gait.touch_down_speed : 0.0, in.uneven);
+    const double speed = feels ? settings_.gait.touch_down_speed : 0.0;
+    const SwingShape shape = ground_ ? clearing_shape(in, duration) : SwingShape{};
+    shaped_ = !std::isnan(shape.top);
+    if (!shaped_)
+      swing_foot_.begin(in.p_sole[out_.swing], in.R_sole[out_.swing], duration, z_land, height, speed, in.uneven);
+    else
+      swing_foot_.begin(in.p_sole[out_.swing], in.R_sole[out_.swing], duration, out_.place.height + in.felt, shape, speed);
   } else if (swing_ != Swing::kOverdue && duration != swing_foot_.duration()) {
     swing_foot_.replan(t, duration - t);
   }
+  if (ground_ && shaped_) swing_foot_.land_at(out_.place.height + in.felt);
   out_.swing_target = swing_foot_.update(t, settings_.control.dt, out_.foothold);
 }
 
@@ -281,6 +299,7 @@ const GaitOutput& GaitGenerator::update_steps(const GaitInput& in) {
   if (recovers_) feel_pushes(in);
   sole_room_ = sole_room(out_.v_plan);
   out_.room = room(in, bounds_, sole_room_);
+  if (ground_) look_at_ground(in);
   if (out_.at_rest) {
     if (recovers_) out_.room = room(in, whole_, whole_[out_.support]);
     // The ZMP leads the DCM back to the middle between the feet.
@@ -384,6 +403,7 @@ void GaitGenerator::capture(const GaitInput& in, double time) {
   const bool decided = out_.phase.phase == Phase::kSingleSupport &&
                        (footsteps_.closing() || out_.phase.time > settings_.steps.freeze * out_.phase.duration);
   const double foot = before_switch() ? (in.p_sole[other(out_.support)].head<2>() - out_.origin).dot(ahead_next_)
+                      : fits_     ? (out_.place.at.p - out_.origin).dot(ahead_next_)
                       : decided       ? (footsteps_.target().p - out_.origin).dot(ahead_next_)
                                       : planned_lead();
   const double planned = foot + xi_start_, near = settings_.steps.capture_distance;
@@ -492,6 +512,7 @@ void GaitGenerator::move_sideways(const GaitInput& in) {
       footsteps_.follow(off, planned, far_ahead ? &reachable : nullptr, far_beside ? &reachable : nullptr);
     }
     out_.foothold = footsteps_.target();
+    if (ground_) out_.place = footsteps_.place();
   }
   const Vec2 there = single ? out_.foothold.p : footsteps_.planned(out_.swing, next_).p;
   out_.zmp_lateral = lateral_.reference(sway(there));

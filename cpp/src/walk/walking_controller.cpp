@@ -18,6 +18,15 @@ RobotDescription with_limits(RobotDescription description, const std::map<std::s
   return description;
 }
 
+/// How much further than on level ground the hip is over the lower foot, half way between a foot and the next one on known ground [m].
+double lift_of(const GaitOutput& gait) {
+  if (!gait.known || gait.at_rest) return 0.0;
+  const Side stance = other(gait.swing);
+  const double next = std::abs(gait.place.height - gait.under[stance].height);
+  const bool both = gait.phase.phase == Phase::kDoubleSupport;
+  return 0.5 * std::max(next, both ? std::abs(gait.under[gait.swing].height - gait.under[stance].height) : 0.0);
+}
+
 double whole_fraction(const WalkSettings& s) { return std::max(s.zmp.whole_fraction, s.zmp.sole_fraction); }
 
 double top_speed(const VelocityProfile& profile) {
@@ -120,6 +129,7 @@ GaitInput WalkingController::gait_input(double t, const Vec2& com, const Vec2& d
   in.behind = gait_.output().orbit_ahead - tracker_.integral();
   // On uneven ground a foot lands at the height of the stance foot, as far as is known.
   in.uneven = ground_.uneven();
+  in.felt = ground_.felt();
   if (settings_.gait.touch_down != TouchDown::kContact && !in.uneven) in.ground = ground_.height();
   return in;
 }
@@ -235,6 +245,7 @@ void WalkingController::start() {
   dcom_des_ = dyn.dcom.head<2>();
   dcom_expected_.setConstant(kNaN);
   trunk_task_.softness = 0.0;
+  stand_on_known_ground();
   start_ = gait_input(0.0, com_des_, dcom_des_);
   gait_.reset(start_, height_.pendulum());
   arms_.reset();
@@ -254,6 +265,26 @@ void WalkingController::start() {
   f_xy_.setZero();
   observer_.reset(dyn.dcom);
   attitude_.reset(dyn.R_WB);
+}
+
+void WalkingController::know(const KnownGround& ground) { told_ = ground; }
+
+void WalkingController::stand_on_known_ground() {
+  known_ = told_;
+  stance_.ground = {};
+  if (!known_.known()) {
+    gait_.know(nullptr);
+    return;
+  }
+  const auto& [left, right] = robot_.dynamics().sole;
+  const double under = 0.5 * (known_.at(left.p_WF.head<2>()).height + known_.at(right.p_WF.head<2>()).height);
+  if (std::isnan(under))
+    throw InputError("the robot does not stand on the ground that is known: its soles are at (" +
+                     text_of(left.p_WF.x()) + ", " + text_of(left.p_WF.y()) + ") m and (" + text_of(right.p_WF.x()) +
+                     ", " + text_of(right.p_WF.y()) + ") m; let the ground reach under them");
+  // Known heights count from the soles, whatever the world's origin is and however deep they sink in.
+  known_.lift(height_.ground() - under);
+  gait_.know(&known_);
 }
 
 const CycleOutput& WalkingController::update(const State& state) {
@@ -346,10 +377,11 @@ void WalkingController::cycle(const State& state) {
   GaitInput in = gait_input(t, com + forced.shift, dcom);
   in.contact << state.contact[kLeft], state.contact[kRight];
   const GaitOutput& gait = gait_.update(in);
-  ground_.update(gait, dyn);
+  ground_.update(gait, dyn, gait_.schedule().times().period());
   out_.foreseen = foresight_.update(state.time, gait_, in, height_.pendulum());
   out_.fall_gap = foresight_.gap();
-  if (height_.update(t, gait.stretch, gait_.plan(), reach_, gait_.cadence().slow.period())) follow_pendulum();
+  if (height_.update(t, gait.stretch, gait_.plan(), reach_, gait_.cadence().slow.period(), lift_of(gait)))
+    follow_pendulum();
   Cycle cycle = cycle_of(t, dyn, gait, height_.pendulum(), com, dcom, forced.shift);
   cycle.steadying = ground_.steadying(gait, dyn);
 
@@ -359,6 +391,8 @@ void WalkingController::cycle(const State& state) {
   command_tasks(cycle);
   stance_.standing = gait.standing;
   stance_.support = gait.support;
+  if (gait.known)
+    for (const Side side : kSides) stance_.ground[side] = gait.under[side].plane(gait.under[side].at.p);
   stance_.lateral << left_of(gait.ahead), 0.0;
   arms_.help(out_.limits.holds_yaw());
   if (arms_.on())

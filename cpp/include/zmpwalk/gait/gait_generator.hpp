@@ -2,6 +2,7 @@
 
 #include "zmpwalk/gait/footsteps.hpp"
 #include "zmpwalk/gait/forward_orbit.hpp"
+#include "zmpwalk/gait/known_ground.hpp"
 #include "zmpwalk/gait/lateral_motion.hpp"
 #include "zmpwalk/gait/pendulum.hpp"
 #include "zmpwalk/gait/schedule.hpp"
@@ -29,6 +30,7 @@ struct GaitInput {
   double ground = kNaN;
   Vec2 contact = Vec2::Constant(kNaN);  ///< whether each foot touches the ground: 1 yes, 0 no, NaN unknown
   bool uneven = false;                  ///< the ground has been felt to be uneven
+  double felt = 0.0;                    ///< how much higher than known ground is what is felt there [m]
 };
 
 /// The place of a sole with centre `p` and axes `R`.
@@ -67,6 +69,9 @@ struct GaitOutput {
   double stretch =
       0.0;  ///< largest distance along the ground of an ankle from below its hip, around this double support or the next [m]
   bool off_time = false;     ///< the swing foot has met the ground off its planned time, in this cycle
+  bool known = false;        ///< the ground is known; what follows has a meaning only then
+  std::array<SolePlace, 2> under;  ///< the known ground under each foot that stands
+  SolePlace place;                 ///< and where the next foot lands: in double support, where it is expected to
   SwingTarget swing_target;  ///< desired motion of the swing sole; it has a meaning in single support only
 };
 
@@ -99,6 +104,8 @@ class GaitGenerator {
   void reset(const GaitInput& start, const LinearInvertedPendulum& pendulum);
   /// Takes the pendulum of a COM that has come to another height.
   void set_pendulum(const LinearInvertedPendulum& pendulum) { pendulum_ = pendulum; }
+  /// From the next reset on the robot walks on `ground`, which must outlive the gait; null: nothing is known of the ground.
+  void know(const KnownGround* ground) { ground_ = ground; }
   /// Commands a velocity (v_x, v_y, w_z) in H: from the next cycle on the plan goes towards it, whatever the profile says. Allocates nothing.
   void command(const Vec3& velocity);
   /// Lets the phase of the last cycle end `remaining` [s] after that cycle, whatever pushes the robot. The swing foot goes on without a jump. A robot
@@ -128,6 +135,13 @@ class GaitGenerator {
   void move_sideways(const GaitInput& in);
   ZmpBounds room(const GaitInput& in, const std::array<ZmpBounds, 2>& bounds, const ZmpBounds& support) const;
   ZmpBounds sole_room(const Vec3& velocity) const;  // of the support foot alone
+  // What follows is for known ground (known_steps.cpp).
+  void look_at_ground(const GaitInput& in);  // where a step begins
+  /// Speed with which the next steps meet good places, `wanted` where they do so by themselves; notes the first of them.
+  double fitting_speed(const GaitInput& in, double wanted);
+  double misfit(const GaitInput& in, double speed, double wanted, bool& plane, SolePlace& first) const;
+  void steer(double t, const Vec3& target);
+  SwingShape clearing_shape(const GaitInput& in, double duration) const;
   // What follows is for a robot that has been pushed (recovery.cpp); a walk that nothing pushes keeps its times and bounds, whatever is commanded.
   void feel_pushes(const GaitInput& in);
   void recover(const GaitInput& in);
@@ -208,6 +222,13 @@ class GaitGenerator {
   Swing swing_ = Swing::kLifting;
   std::array<bool, 2> felt_{false, false};  // whether the contact of each foot has been measured in this walk
   double period_ = 0.0;                     // period of the step after this one [s]
+  const KnownGround* ground_ = nullptr;
+  SoleSize sole_;
+  bool fits_ = false;     // steps fit the ground ahead, which is not one plane
+  bool shaped_ = false;   // the swing clears ground that is not level
+  bool told_ = false;     // a velocity has been commanded
+  bool steered_ = false;  // the plan goes with a speed that fits, and not by the profile
+  Vec3 wanted_, steered_to_;
   Vec3 command_, allowance_;
   bool commanded_ = false;
   double t_command_ = 0.0;

@@ -84,6 +84,11 @@ class WalkingController {
   /// @param velocity (v_x, v_y, w_z) in the heading frame H [m/s, m/s, rad/s]. @throws InputError  it is not finite
   void command(const Vec3& velocity);
 
+  /// Tells the ground that the robot walks on; it counts from the next `reset` on, which throws InputError where the robot does not stand on it. Heights
+  /// count from those of the soles there. A `KnownGround` that is empty takes back what was told. Call it between cycles.
+  void know(const KnownGround& ground);
+  const KnownGround& ground() const { return told_; }
+
   /// Lets joints outside the legs, and the trunk, follow `motion` from the last cycle on (`BodyMotion::follow`). `reset` begins the motion anew.
   /// Call it between cycles. @throws as `BodyMotion::follow`; nothing is changed then
   void move(const JointMotion& motion);
@@ -140,6 +145,7 @@ class WalkingController {
   void require_startable() const;
   double start_excursion(double scale) const;  // of the COM from the first stance foot, for the plan times `scale` [m]
   void require_external(const std::vector<ExternalWrench>& external) const;
+  void stand_on_known_ground();
   void start();  // a walk begins with the dynamics of this instant
   double elapsed(double time) const { return clock_.cycles() ? time - out_.t : clock_.since_start(time); }
   void feel(const MeasuredContact& contact);  // where the state does not know better
@@ -166,6 +172,7 @@ class WalkingController {
   std::array<ZmpBounds, 2> bounds_, whole_;  // usual, and when pushed
   ComHeight height_;
   FeltGround ground_;
+  KnownGround told_, known_;  // by the user, and as the walk has it
   GaitGenerator gait_;
   LegReach reach_;
   CommandLimit command_limit_;
