@@ -68,7 +68,8 @@ Vec2 FootstepPlanner::clear(const Foothold& place) const {
   return gap < 0.0 ? Vec2(place.p - side_sign(swing_) * gap * left) : place.p;
 }
 
-Foothold FootstepPlanner::begin_step(int n, Side swing, const Foothold& stance, const PlannedStance& next) {
+Foothold FootstepPlanner::begin_step(int n, Side swing, const Foothold& stance, const PlannedStance& next,
+                                     const SolePlace* place) {
   swing_ = swing;
   stance_ = PathPoint(stance);
   closing_ = false;
@@ -83,7 +84,7 @@ Foothold FootstepPlanner::begin_step(int n, Side swing, const Foothold& stance, 
   }
   nominal_.p = clear(nominal_);
   if (ground_) {
-    nominal_place_ = place_ = nearest(nominal_);
+    nominal_place_ = place_ = place ? *place : nearest(nominal_);
     if (place_.good) nominal_.p = place_.at.p;
   }
   planned_[swing] = nominal_;

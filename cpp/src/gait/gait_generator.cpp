@@ -38,7 +38,7 @@ Vec2 reference_zmp(const GaitOutput& gait, const LinearInvertedPendulum& pendulu
   const double a =
       gait.orbit.acceleration(from_middle) + tracker.acceleration(gait.orbit.velocity(from_middle) + gait.dv_capture,
                                                                   dcom.dot(gait.ahead_M), gait.orbit_ahead);
-  const double r = pendulum.reference_for(x, a);  // along M's x
+  const double r = std::isnan(gait.zmp_ahead) ? pendulum.reference_for(x, a) : gait.zmp_ahead;  // along M's x
   // The bounds are along S's x: what is beyond them must not lean sideways where the sole points elsewhere than the walk.
   const double inside = std::clamp(r, gait.room.lower.x(), gait.room.upper.x());
   return gait.origin + inside * gait.ahead_M + (r - inside) * gait.ahead_S + gait.zmp_lateral * left_of(gait.ahead_M);
@@ -136,6 +136,7 @@ void GaitGenerator::steer(double t, const Vec3& target) {
 
 StepTimes GaitGenerator::times_at(double t) const {
   const double T = cadence_.slow.period();
+  if (fits_) return cadence_.slow;
   return cadence_.times(plan_.displacement(t, t + T) / T);
 }
 
@@ -269,6 +270,7 @@ const GaitOutput& GaitGenerator::update_steps(const GaitInput& in) {
   out_.w_T = kNaN;
   zmp_lateral_ = out_.zmp_lateral;
   out_.zmp_lateral = 0.0;
+  out_.zmp_ahead = kNaN;
   out_.stretch = 0.0;
   if (began_ == Began::kStand) {
     out_.at_rest = true;
@@ -340,6 +342,7 @@ void GaitGenerator::move_ahead(const GaitInput& in) {
   out_.orbit_middle = settings_.com.lead;
   out_.orbit_ahead = out_.orbit.ahead(std::clamp(since_middle, -half, half));
   capture(in, time);
+  if (fits_) meet_place(in, time);
 }
 
 void GaitGenerator::turn(const GaitInput& in, double since_middle) {
@@ -497,13 +500,14 @@ void GaitGenerator::move_sideways(const GaitInput& in) {
       planned_landing_ = schedule_.touch_down();
       const Side stance = other(out_.swing);
       const Foothold foot = foothold_of(in.p_sole[stance], in.R_sole[stance]);
-      footsteps_.begin_step(out_.phase.step, out_.swing, foot, next_);
+      footsteps_.begin_step(out_.phase.step, out_.swing, foot, next_, fits_ ? &out_.place : nullptr);
       if (settings_.gait.stand && plan_.at_rest(in.t, schedule_.touch_down() + schedule_.times().T_ds))
         footsteps_.close(out_.swing, foot, xi_next_);
     }
     if (footsteps_.follows(decided_share(in))) {
       const PathPoint planned = footsteps_.planned(out_.swing, next_);
-      const Vec2 off = footsteps_.off_nominal(ahead_of_plan(in, planned.p), lateral_.miss(sway(planned.p)), planned);
+      Vec2 off = footsteps_.off_nominal(ahead_of_plan(in, planned.p), lateral_.miss(sway(planned.p)), planned);
+      if (fits_ && pushed_ == 0.0) off.x() = 0.0;
       // A long way is bounded by what the leg and the foot in the air can do.
       const bool pushed = pushed_ > 0.0, far_ahead = pushed || std::abs(off.x()) > settings_.steps.shift,
                  far_beside = pushed || std::abs(off.y()) > settings_.steps.shift;

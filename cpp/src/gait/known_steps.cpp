@@ -18,15 +18,17 @@ constexpr double kSpeed = 0.3;    // what a step that is longer or shorter than 
 constexpr double kStands = 0.02;  // slower than this the robot steps on the spot [share of the cadence's speed]
 constexpr double kLevel = 1e-3;   // ground that rises by less is level [share of the sole's length]
 constexpr int kWay = 32;          // places along a swing at which the ground is looked at
+constexpr double kReach = 0.02;  // and how much longer than it is the sole is taken to be [share of its length]
+constexpr double kNear = 0.5;    // the DCM is led to a step as if that were at least this far ahead [T_c]
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kMissing = 1e6;  // what the first step costs that has no place, and more the sooner that is
 constexpr double kClear = 0.08;   // by how much a swinging sole clears the ground [share of its length]
 
 }  // namespace
 
-double GaitGenerator::misfit(const GaitInput& in, double speed, double wanted, bool& plane, SolePlace& first) const {
-  const double length = speed * cadence_.times({speed, 0.0, 0.0}).period(),
-               planned = wanted * cadence_.times({wanted, 0.0, 0.0}).period();
+double GaitGenerator::misfit(const GaitInput& in, double speed, double wanted, bool& plane,
+                             std::array<SolePlace, 2>& first) const {
+  const double T = cadence_.slow.period(), length = speed * T, planned = wanted * T;
   const Side stance = other(out_.swing);
   const Vec2 left = left_of(out_.ahead);
   const double width = footsteps_.width(0.0);
@@ -48,7 +50,7 @@ double GaitGenerator::misfit(const GaitInput& in, double speed, double wanted, b
     missed += off.squaredNorm();
     plane = plane && off.isZero(0.0) &&
             std::abs(place.height - from.height - from.rise.dot(way)) < 10.0 * kLevel * sole_.length;
-    if (k == 0) first = place;
+    if (k < 2) first[k] = place;
     middle = place.at.p - beside;
   }
   return missed;
@@ -56,18 +58,23 @@ double GaitGenerator::misfit(const GaitInput& in, double speed, double wanted, b
 
 double GaitGenerator::fitting_speed(const GaitInput& in, double wanted) {
   bool plane = false;
-  double least = misfit(in, wanted, wanted, plane, out_.place), best = wanted;
+  std::array<SolePlace, 2> next, first;
+  double least = misfit(in, wanted, wanted, plane, next), best = wanted;
   fits_ = !plane;
-  if (plane || std::abs(wanted) < kStands * cadence_.speed) return wanted;
+  if (plane || std::abs(wanted) < kStands * cadence_.speed) {
+    out_.place = next[0];
+    return wanted;
+  }
   for (int i = 0; i <= kLengths; ++i) {
     const double speed = wanted * (kLeastStep + (kMostStep - kLeastStep) * i / kLengths);
-    SolePlace first;
     const double missed = misfit(in, speed, wanted, plane, first);
     if (missed >= least) continue;
     least = missed;
     best = speed;
-    out_.place = first;
+    next = first;
   }
+  out_.place = next[0];
+  after_ = (next[1].at.p - next[0].at.p).dot(out_.ahead);
   // Where there is no place for the next two steps, it stops.
   return least > kMissing * (kSteps - 2) ? 0.0 : best;
 }
@@ -92,6 +99,17 @@ void GaitGenerator::look_at_ground(const GaitInput& in) {
   steered_to_ = target;
 }
 
+void GaitGenerator::meet_place(const GaitInput& in, double time) {
+  const double Tc = pendulum_.Tc();
+  const Vec2 foot = before_switch() ? Vec2(in.p_sole[other(out_.support)].head<2>()) : out_.place.at.p;
+  // Over the next foot the DCM begins where a ZMP under its middle takes it to the foot after that.
+  const double L = before_switch() ? (out_.place.at.p - foot).dot(out_.ahead) : after_;
+  const double xi_start = settings_.com.lead + L / pendulum_.growth(schedule_.times().period()).excess;
+  const double xi_end = (foot - out_.origin).dot(out_.ahead_M) + xi_start;
+  const double xi = (in.com + Tc * in.dcom - out_.origin).dot(out_.ahead_M);
+  out_.zmp_ahead = pendulum_.reference_to_reach(xi, xi_end, std::max(time, kNear * Tc));
+}
+
 SwingShape GaitGenerator::clearing_shape(const GaitInput& in, double duration) const {
   (void)duration;
   SwingShape out;
@@ -112,7 +130,7 @@ SwingShape GaitGenerator::clearing_shape(const GaitInput& in, double duration) c
     const Vec2 rise = lifts.rise + s * (lands.rise - lifts.rise);
     touch[i] = -kInfinity;
     for (int k = 0; k < 15; ++k) {
-      const Vec2 off = 0.5 * (1.0 + kClear) * sole_.length * (0.5 * (k / 3) - 1.0) * ahead + 0.5 * sole_.width * (k % 3 - 1.0) * left;
+      const Vec2 off = (0.5 + kReach) * sole_.length * (0.5 * (k / 3) - 1.0) * ahead + 0.5 * sole_.width * (k % 3 - 1.0) * left;
       const double height = ground_->at(p + off).height + in.felt;
       if (height - rise.dot(off) > touch[i]) touch[i] = height - rise.dot(off);
     }

@@ -486,7 +486,7 @@ void WalkingController::decide_reference(const Cycle& cycle) {
   out_.com_des << com_des_, com_task_.p.z();
   out_.dcom_des << dcom_des_, com_task_.v.z();
   out_.v_des << cycle.R_WH.transpose() * dcom_des_, gait.v_plan.z();
-  if (gait.at_rest)
+  if (gait.at_rest || !std::isnan(gait.zmp_ahead))
     tracker_.reset();
   else
     tracker_.advance(out_.v_des.x(), gait.v_plan.x(), settings_.control.dt);

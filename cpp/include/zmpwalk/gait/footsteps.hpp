@@ -108,7 +108,9 @@ class FootstepPlanner {
   double width(double drift) const { return settings_.steps.width + std::abs(drift); }
 
   /// Chooses the nominal foothold of step n, when the foot lifts. @param stance measured place of the stance foot
-  Foothold begin_step(int n, Side swing, const Foothold& stance, const PlannedStance& next);
+  /// @param place  good place of known ground where it is to be; null where the plan says it
+  Foothold begin_step(int n, Side swing, const Foothold& stance, const PlannedStance& next,
+                      const SolePlace* place = nullptr);
   /// Makes this step the closing step, which sets the foot beside the stance foot so that the robot can stand. It does so only where that place is
   /// near enough to the path and to where the DCM will be, `xi` ahead of the stance foot [m].
   void close(Side swing, const Foothold& stance, double xi);

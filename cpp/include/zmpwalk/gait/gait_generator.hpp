@@ -60,6 +60,7 @@ struct GaitOutput {
   double orbit_middle = 0.0;     ///< where the middle of the orbit is, from `origin` along the x axis of M [m]
   double dv_capture = 0.0;       ///< speed to add to the orbit's, so that the next step can catch the DCM [m/s]
   double orbit_ahead = 0.0;      ///< how far the orbit has the COM ahead of a motion with constant velocity now [m]
+  double zmp_ahead = kNaN;       ///< the same along the x axis of M where steps fit known ground; NaN: the tracker says it [m]
   double zmp_lateral = 0.0;      ///< reference ZMP, from `origin` along the y axis of M [m]
   Vec2 zmp_rest = Vec2::Zero();  ///< reference ZMP of a robot at rest, W [m]
   double w_T = kNaN;             ///< w(T) of eq. 18, H, in double support before the switch [m/s]; else NaN
@@ -137,9 +138,10 @@ class GaitGenerator {
   ZmpBounds sole_room(const Vec3& velocity) const;  // of the support foot alone
   // What follows is for known ground (known_steps.cpp).
   void look_at_ground(const GaitInput& in);  // where a step begins
+  void meet_place(const GaitInput& in, double time);
   /// Speed with which the next steps meet good places, `wanted` where they do so by themselves; notes the first of them.
   double fitting_speed(const GaitInput& in, double wanted);
-  double misfit(const GaitInput& in, double speed, double wanted, bool& plane, SolePlace& first) const;
+  double misfit(const GaitInput& in, double speed, double wanted, bool& plane, std::array<SolePlace, 2>& first) const;
   void steer(double t, const Vec3& target);
   SwingShape clearing_shape(const GaitInput& in, double duration) const;
   // What follows is for a robot that has been pushed (recovery.cpp); a walk that nothing pushes keeps its times and bounds, whatever is commanded.
@@ -225,6 +227,7 @@ class GaitGenerator {
   const KnownGround* ground_ = nullptr;
   SoleSize sole_;
   bool fits_ = false;     // steps fit the ground ahead, which is not one plane
+  double after_ = 0.0;    // length of the step after the next one, along the path [m]
   bool shaped_ = false;   // the swing clears ground that is not level
   bool told_ = false;     // a velocity has been commanded
   bool steered_ = false;  // the plan goes with a speed that fits, and not by the profile
