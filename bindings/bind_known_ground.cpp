@@ -18,6 +18,15 @@ KnownGround of_patches(const RowMatX& rows) {
   return KnownGround(std::move(patches));
 }
 
+RowMatX rows_of(const KnownGround& ground) {
+  RowMatX out(static_cast<Eigen::Index>(ground.patches().size()), 7);
+  for (Eigen::Index i = 0; i < out.rows(); ++i) {
+    const GroundPatch& p = ground.patches()[static_cast<std::size_t>(i)];
+    out.row(i) << p.lower.x(), p.upper.x(), p.lower.y(), p.upper.y(), p.height, p.rise.x(), p.rise.y();
+  }
+  return out;
+}
+
 }  // namespace
 
 void bind_known_ground(py::module_& m) {
@@ -37,6 +46,11 @@ void bind_known_ground(py::module_& m) {
           "Args:\n    corner: world x and y of heights[0, 0] (2,) [m].\n    spacing: between points [m].\n    heights: "
           "rows along x, columns along y [m].\n\nRaises:\n    InputError: fewer than two rows or columns, a spacing that "
           "is not positive, a number that is not finite.")
+      .def_property_readonly("patches", &rows_of, "the patches as `of_patches` takes them, (n, 7); none of a grid")
+      .def_property_readonly("corner", &KnownGround::corner, "of a grid (2,) [m]")
+      .def_property_readonly("spacing", &KnownGround::spacing, "of a grid [m]")
+      .def_property_readonly(
+          "heights", [](const KnownGround& g) { return RowMatX(g.heights()); }, "of a grid [m]; empty for patches")
       .def_property_readonly("known", &KnownGround::known, "whether anything is known")
       .def(
           "height", [](const KnownGround& g, const Vec2& p) { return g.at(p).height; }, "p"_a,

@@ -83,7 +83,7 @@ void GaitGenerator::reset(const GaitInput& start, const LinearInvertedPendulum& 
   pushed_ = off_plan_ = 0.0;
   footsteps_.end_step();
   footsteps_.know(ground_);
-  fits_ = steered_ = told_ = false;
+  fits_ = steered_ = slowed_ = told_ = false;
   out_ = GaitOutput{};
   out_.known = ground_ != nullptr;
   const std::array<Foothold, 2> feet = feet_of(start);
@@ -118,7 +118,7 @@ void GaitGenerator::take_command(double t) {
   commanded_ = false;
   wanted_ = command_;
   told_ = true;
-  if (fits_) return;  // the next step fits it to the ground
+  if (fits_ || slowed_) return;  // the next step fits it to the ground
   steered_ = false;
   steer(t, command_);
 }
@@ -302,6 +302,7 @@ const GaitOutput& GaitGenerator::update_steps(const GaitInput& in) {
   sole_room_ = sole_room(out_.v_plan);
   out_.room = room(in, bounds_, sole_room_);
   if (ground_) look_at_ground(in);
+  if (began_ == Began::kDoubleSupport && (ground_ || steered_ || in.pace < 1.0)) fit_plan(in);
   if (out_.at_rest) {
     if (recovers_) out_.room = room(in, whole_, whole_[out_.support]);
     // The ZMP leads the DCM back to the middle between the feet.

@@ -15,6 +15,7 @@ constexpr double kSteepest = 0.47;         // rise of the steepest ground that a
 constexpr double kFlat = 0.016;       // most that ground under a sole may differ from its plane
 constexpr double kMove = 0.02;        // by which places are moved in a search
 constexpr double kSamePlane = 0.008;  // most by which places of one plane differ from it
+constexpr int kRoom = 4;              // moves that a place is to have before and behind it, or as much of both
 constexpr double kBends = 0.1;        // and by so much more per distance: ground may be curved
 constexpr std::size_t kMostCells = 1 << 16;
 
@@ -147,7 +148,7 @@ SolePlace KnownGround::nearest(const Foothold& wanted, const SoleSize& sole, dou
            kSamePlane * sole.length + kBends * away.norm();
   };
   SolePlace best = under(wanted, sole, margin);
-  if (fits(best)) return best;
+  if (fits(best)) return amid(best, sole, margin);
   best.good = false;
   double least = far * far;
   const double move = kMove * sole.length;
@@ -167,7 +168,22 @@ SolePlace KnownGround::nearest(const Foothold& wanted, const SoleSize& sole, dou
         break;
       }
     }
-  return best;
+  return best.good ? amid(best, sole, margin) : best;
+}
+
+SolePlace KnownGround::amid(const SolePlace& place, const SoleSize& sole, double margin) const {
+  const double move = kMove * sole.length;
+  const Vec2 ahead = ahead_of(place.at.yaw);
+  const auto at_way = [&](int i) { return under({place.at.p + i * move * ahead, place.at.yaw}, sole, margin); };
+  std::array<int, 2> free{kRoom, kRoom};
+  for (const int k : {0, 1}) {
+    const int sign = k ? 1 : -1;
+    if (at_way(sign * kRoom).good) continue;
+    for (free[k] = 0; free[k] < kRoom - 1 && at_way(sign * (free[k] + 1)).good;) ++free[k];
+  }
+  if (free[0] == free[1]) return place;
+  const double shift = 0.5 * (free[1] - free[0]);
+  return under({place.at.p + shift * move * ahead, place.at.yaw}, sole, margin);
 }
 
 }  // namespace zmpwalk

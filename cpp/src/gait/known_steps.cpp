@@ -17,7 +17,7 @@ constexpr int kLengths = 24;      // lengths between them that are looked at
 constexpr double kSpeed = 0.3;    // what a step that is longer or shorter than wanted costs, beside one that misses
 constexpr double kStands = 0.02;  // slower than this the robot steps on the spot [share of the cadence's speed]
 constexpr double kLevel = 1e-3;   // ground that rises by less is level [share of the sole's length]
-constexpr int kWay = 32;          // places along a swing at which the ground is looked at
+constexpr int kWay = 48;          // places along a swing at which the ground is looked at
 constexpr double kReach = 0.02;  // and how much longer than it is the sole is taken to be [share of its length]
 constexpr double kNear = 0.5;    // the DCM is led to a step as if that were at least this far ahead [T_c]
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -90,10 +90,15 @@ void GaitGenerator::look_at_ground(const GaitInput& in) {
   }
   if (began_ != Began::kDoubleSupport) return;
   for (const Side side : kSides) look(side);
-  const Vec3 wanted = told_ ? wanted_ : profile_.velocity(in.t);
+}
+
+void GaitGenerator::fit_plan(const GaitInput& in) {
+  Vec3 wanted = told_ ? wanted_ : profile_.velocity(in.t);
+  slowed_ = in.pace < 1.0;
+  if (slowed_) wanted *= in.pace;
   Vec3 target = wanted;
-  target.x() = fitting_speed(in, wanted.x());
-  if (!steered_ && target == wanted) return;
+  if (ground_) target.x() = fitting_speed(in, wanted.x());
+  if (!steered_ && !slowed_ && target == wanted) return;
   if (!steered_ || target != steered_to_) steer(in.t, target);
   steered_ = true;
   steered_to_ = target;
@@ -101,6 +106,10 @@ void GaitGenerator::look_at_ground(const GaitInput& in) {
 
 void GaitGenerator::meet_place(const GaitInput& in, double time) {
   const double Tc = pendulum_.Tc();
+  // The whole sole is on its place, and the next one is where it is: the ZMP may go as far as when pushed.
+  const ZmpBounds whole = room(in, whole_, whole_[out_.support]);
+  out_.room.lower.x() = whole.lower.x();
+  out_.room.upper.x() = whole.upper.x();
   const Vec2 foot = before_switch() ? Vec2(in.p_sole[other(out_.support)].head<2>()) : out_.place.at.p;
   // Over the next foot the DCM begins where a ZMP under its middle takes it to the foot after that.
   const double L = before_switch() ? (out_.place.at.p - foot).dot(out_.ahead) : after_;
@@ -155,8 +164,10 @@ SwingShape GaitGenerator::clearing_shape(const GaitInput& in, double duration) c
                                        : Cubic(shape.top, 0.0, z_1, 0.0, 1.0 - shape.rise).at(t - shape.rise);
       const double u = Cubic(0.0, 0.0, 1.0, 0.0, across).at(std::clamp(t - shape.starts, 0.0, across)).p * kWay;
       const int i = std::min(static_cast<int>(u), kWay - 1);
+      const bool over_lift = u < 0.02 * kWay, over_place = u > 0.98 * kWay;
       const double free = clear * std::min({1.0, 6.0 * t, 6.0 * (1.0 - t)});
-      if (z.p < std::max(touch[i], touch[i + 1]) + (u > 0.01 * kWay && u < 0.99 * kWay ? free : -level)) return;
+      const double ground = over_lift ? touch[0] - level : over_place ? touch[kWay] - level : std::max(touch[i], touch[i + 1]) + free;
+      if (z.p < ground) return;
     }
     least = effort;
     out.top = shape.top;
@@ -167,7 +178,7 @@ SwingShape GaitGenerator::clearing_shape(const GaitInput& in, double duration) c
   SwingShape shape;
   for (const double higher : {0.0, 0.5, 1.0})
     for (const double rise : {0.3, 0.4, 0.5, 0.6, 0.7})
-      for (const double starts : {0.0, 0.1, 0.2, 0.3})
+      for (const double starts : {0.0, 0.1, 0.2, 0.3, 0.4})
         for (const double arrives : {1.0, 0.9, 0.8, 0.7}) {
           shape.top = highest + std::max(clear, (0.5 + higher) * height);
           shape.rise = rise;

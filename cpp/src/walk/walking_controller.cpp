@@ -70,6 +70,7 @@ WalkingController::WalkingController(const Model& model, const RobotDescription&
              bounds_of(robot_, kRight, settings_, whole_fraction(settings_))},
       height_(height_over_soles(robot_.dynamics()), robot_.dynamics().gravity.norm(), settings_),
       ground_(settings_, sole_, height_.z_c(), height_.pendulum().Tc()),
+      grip_(settings_, sole_, height_.z_c(), robot_.dynamics().gravity.norm(), settings_.limits.friction),
       gait_(settings_, profile_, sole_, bounds_, whole_),
       reach_(robot_, settings_, gait_.cadence()),
       command_limit_(robot_, settings_, gait_.cadence(), reach_, sole_, bounds_[kLeft], height_.z_c()),
@@ -130,6 +131,7 @@ GaitInput WalkingController::gait_input(double t, const Vec2& com, const Vec2& d
   // On uneven ground a foot lands at the height of the stance foot, as far as is known.
   in.uneven = ground_.uneven();
   in.felt = ground_.felt();
+  in.pace = grip_.pace();
   if (settings_.gait.touch_down != TouchDown::kContact && !in.uneven) in.ground = ground_.height();
   return in;
 }
@@ -246,6 +248,8 @@ void WalkingController::start() {
   dcom_expected_.setConstant(kNaN);
   trunk_task_.softness = 0.0;
   stand_on_known_ground();
+  grip_.reset();
+  for (const Side side : kSides) limits_.set_friction(side, grip_.friction(side));
   start_ = gait_input(0.0, com_des_, dcom_des_);
   gait_.reset(start_, height_.pendulum());
   arms_.reset();
@@ -378,6 +382,7 @@ void WalkingController::cycle(const State& state) {
   in.contact << state.contact[kLeft], state.contact[kRight];
   const GaitOutput& gait = gait_.update(in);
   ground_.update(gait, dyn, gait_.schedule().times().period());
+  feel_grip(gait);
   out_.foreseen = foresight_.update(state.time, gait_, in, height_.pendulum());
   out_.fall_gap = foresight_.gap();
   if (height_.update(t, gait.stretch, gait_.plan(), reach_, gait_.cadence().slow.period(), lift_of(gait)))
@@ -407,6 +412,12 @@ void WalkingController::cycle(const State& state) {
   limit_torque(gait);
   dcom_expected_ = dyn.dcom.head<2>() + settings_.control.dt / dyn.mass * horizontal_force(dyn, gait.standing);
   note(cycle);
+}
+
+void WalkingController::feel_grip(const GaitOutput& gait) {
+  if (grip_.update(gait, robot_.dynamics(), out_.f_c))
+    for (const Side side : kSides) limits_.set_friction(side, grip_.friction(side));
+  out_.friction = grip_.friction();
 }
 
 Vec2 WalkingController::horizontal_force(const Dynamics& dyn, const std::array<bool, 2>& standing) const {

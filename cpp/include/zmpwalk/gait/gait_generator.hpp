@@ -30,6 +30,7 @@ struct GaitInput {
   double ground = kNaN;
   Vec2 contact = Vec2::Constant(kNaN);  ///< whether each foot touches the ground: 1 yes, 0 no, NaN unknown
   bool uneven = false;                  ///< the ground has been felt to be uneven
+  double pace = 1.0;                    ///< share of the wanted velocity to walk with, where feet slip
   double felt = 0.0;                    ///< how much higher than known ground is what is felt there [m]
 };
 
@@ -138,6 +139,7 @@ class GaitGenerator {
   ZmpBounds sole_room(const Vec3& velocity) const;  // of the support foot alone
   // What follows is for known ground (known_steps.cpp).
   void look_at_ground(const GaitInput& in);  // where a step begins
+  void fit_plan(const GaitInput& in);        // the velocity to what the ground allows
   void meet_place(const GaitInput& in, double time);
   /// Speed with which the next steps meet good places, `wanted` where they do so by themselves; notes the first of them.
   double fitting_speed(const GaitInput& in, double wanted);
@@ -229,6 +231,7 @@ class GaitGenerator {
   bool fits_ = false;     // steps fit the ground ahead, which is not one plane
   double after_ = 0.0;    // length of the step after the next one, along the path [m]
   bool shaped_ = false;   // the swing clears ground that is not level
+  bool slowed_ = false;   // where feet slip
   bool told_ = false;     // a velocity has been commanded
   bool steered_ = false;  // the plan goes with a speed that fits, and not by the profile
   Vec3 wanted_, steered_to_;

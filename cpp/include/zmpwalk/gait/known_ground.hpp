@@ -42,6 +42,10 @@ class KnownGround {
   KnownGround(const Vec2& corner, double spacing, RowMatX heights);
 
   bool known() const { return !patches_.empty() || heights_.size() > 0; }
+  const std::vector<GroundPatch>& patches() const { return patches_; }  ///< none where heights are on a grid
+  const RowMatX& heights() const { return heights_; }                   ///< of the grid; empty where there are patches
+  const Vec2& corner() const { return corner_; }                        ///< of the grid (2,) [m]
+  double spacing() const { return spacing_; }                           ///< of the grid [m]
   /// Moves all of it up by `rise` [m].
   void lift(double rise) { lift_ += rise; }
   GroundPoint at(const Vec2& p) const;
@@ -54,6 +58,9 @@ class KnownGround {
                     const SolePlace* like = nullptr) const;
 
  private:
+  /// The same place, away from an edge that is near ahead or behind, or between two.
+  SolePlace amid(const SolePlace& place, const SoleSize& sole, double margin) const;
+
   struct Cells {
     Vec2 corner = Vec2::Zero();
     int rows = 0, columns = 0;

@@ -29,6 +29,7 @@
 #include "zmpwalk/walk/fall_prediction.hpp"
 #include "zmpwalk/walk/fall_watch.hpp"
 #include "zmpwalk/walk/felt_ground.hpp"
+#include "zmpwalk/walk/grip.hpp"
 #include "zmpwalk/walk/leg_reach.hpp"
 #include "zmpwalk/walk/observer.hpp"
 #include "zmpwalk/walk/record.hpp"
@@ -159,6 +160,7 @@ class WalkingController {
   void decide_reference(const Cycle& cycle);
   // That of the ground and of known forces on the robot, W [N].
   Vec2 horizontal_force(const Dynamics& dyn, const std::array<bool, 2>& standing) const;
+  void feel_grip(const GaitOutput& gait);
   void limit_torque(const GaitOutput& gait);
   void cut_torque(const GaitOutput& gait);
   void note(const Cycle& cycle);  // into the output
@@ -172,6 +174,7 @@ class WalkingController {
   std::array<ZmpBounds, 2> bounds_, whole_;  // usual, and when pushed
   ComHeight height_;
   FeltGround ground_;
+  Grip grip_;
   KnownGround told_, known_;  // by the user, and as the walk has it
   GaitGenerator gait_;
   LegReach reach_;
