@@ -30,21 +30,26 @@ RowMatX rows_of(const KnownGround& ground) {
 }  // namespace
 
 void bind_known_ground(py::module_& m) {
-  py::class_<KnownGround>(m, "KnownGround",
-                          "Ground that the user knows: a height for each place, from plane patches or from heights on a "
-                          "grid.\n\nWhere patches overlap, the highest one counts. Between the points of a grid heights "
-                          "are bilinear. KnownGround() knows nothing.")
+  py::class_<KnownGround>(
+      m, "KnownGround",
+      "Ground that the user knows: a height for each place, from plane patches or from heights on a "
+      "grid.\n\nWhere patches overlap, the highest one counts. Between the points of a grid heights "
+      "are bilinear. KnownGround() knows nothing.")
       .def(py::init<>())
-      .def_static("of_patches", &of_patches, "patches"_a,
-                  "Args:\n    patches: (n, 7), each (x_0, x_1, y_0, y_1, height, rise_x, rise_y): a rectangle along the "
-                  "world's axes [m], the\n        height of its middle [m], and how much higher it becomes per metre "
-                  "along x and along y.\n\nRaises:\n    InputError: a number is not finite, or a patch has no area.")
+      .def_static(
+          "of_patches", &of_patches, "patches"_a,
+          "Args:\n    patches: (n, 7), each (x_0, x_1, y_0, y_1, height, rise_x, rise_y): a rectangle along the "
+          "world's axes [m], the\n        height of its middle [m], and how much higher it becomes per metre "
+          "along x and along y.\n\nRaises:\n    InputError: a number is not finite, or a patch has no area.")
       .def_static(
           "of_grid",
-          [](const Vec2& corner, double spacing, const RowMatX& heights) { return KnownGround(corner, spacing, heights); },
+          [](const Vec2& corner, double spacing, const RowMatX& heights) {
+            return KnownGround(corner, spacing, heights);
+          },
           "corner"_a, "spacing"_a, "heights"_a,
           "Args:\n    corner: world x and y of heights[0, 0] (2,) [m].\n    spacing: between points [m].\n    heights: "
-          "rows along x, columns along y [m].\n\nRaises:\n    InputError: fewer than two rows or columns, a spacing that "
+          "rows along x, columns along y [m].\n\nRaises:\n    InputError: fewer than two rows or columns, a spacing "
+          "that "
           "is not positive, a number that is not finite.")
       .def_property_readonly("patches", &rows_of, "the patches as `of_patches` takes them, (n, 7); none of a grid")
       .def_property_readonly("corner", &KnownGround::corner, "of a grid (2,) [m]")

@@ -85,7 +85,8 @@ struct Seen {
 };
 
 Seen walk(double duration, const WalkSettings& s, const mjModel* m = mahru(), Terms terms = Terms::kCompute,
-          const JointMotion& motion = JointMotion(), const std::vector<Vec3>& commands = {}, const KnownGround& ground = KnownGround()) {
+          const JointMotion& motion = JointMotion(), const std::vector<Vec3>& commands = {},
+          const KnownGround& ground = KnownGround()) {
   WalkingController controller(m, describe(mahru()), s);
   controller.move(motion);
   controller.know(ground);

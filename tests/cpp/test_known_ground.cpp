@@ -27,7 +27,8 @@ KnownGround stairs() {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_patch_is_a_plane_and_the_highest_one_counts) {
-  const KnownGround ground({{Vec2(0, 0), Vec2(2, 2), 0.3, Vec2(0.1, -0.2)}, {Vec2(1, 1), Vec2(2, 2), 0.5, Vec2::Zero()}});
+  const KnownGround ground(
+      {{Vec2(0, 0), Vec2(2, 2), 0.3, Vec2(0.1, -0.2)}, {Vec2(1, 1), Vec2(2, 2), 0.5, Vec2::Zero()}});
   CHECK_NEAR(ground.at({0.5, 0.25}).height, 0.3 - 0.05 + 0.15, 1e-15);
   CHECK_NEAR(ground.at({0.5, 0.25}).rise.y(), -0.2, 0.0);
   CHECK_NEAR(ground.at({1.5, 1.5}).height, 0.5, 0.0);

@@ -250,7 +250,8 @@ void GaitGenerator::move_swing_foot(const GaitInput& in) {
     if (!shaped_)
       swing_foot_.begin(in.p_sole[out_.swing], in.R_sole[out_.swing], duration, z_land, height, speed, in.uneven);
     else
-      swing_foot_.begin(in.p_sole[out_.swing], in.R_sole[out_.swing], duration, out_.place.height + in.felt, shape, speed);
+      swing_foot_.begin(in.p_sole[out_.swing], in.R_sole[out_.swing], duration, out_.place.height + in.felt, shape,
+                        speed);
   } else if (swing_ != Swing::kOverdue && duration != swing_foot_.duration()) {
     swing_foot_.replan(t, duration - t);
   }
@@ -407,7 +408,7 @@ void GaitGenerator::capture(const GaitInput& in, double time) {
   const bool decided = out_.phase.phase == Phase::kSingleSupport &&
                        (footsteps_.closing() || out_.phase.time > settings_.steps.freeze * out_.phase.duration);
   const double foot = before_switch() ? (in.p_sole[other(out_.support)].head<2>() - out_.origin).dot(ahead_next_)
-                      : fits_     ? (out_.place.at.p - out_.origin).dot(ahead_next_)
+                      : fits_         ? (out_.place.at.p - out_.origin).dot(ahead_next_)
                       : decided       ? (footsteps_.target().p - out_.origin).dot(ahead_next_)
                                       : planned_lead();
   const double planned = foot + xi_start_, near = settings_.steps.capture_distance;

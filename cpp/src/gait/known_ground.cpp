@@ -9,8 +9,8 @@
 namespace zmpwalk {
 namespace {
 
-constexpr int kAlong = 5, kAcross = 3;     // points of a sole at which the ground is looked at
-constexpr double kSteepest = 0.47;         // rise of the steepest ground that a sole is set on: 25 degrees
+constexpr int kAlong = 5, kAcross = 3;  // points of a sole at which the ground is looked at
+constexpr double kSteepest = 0.47;      // rise of the steepest ground that a sole is set on: 25 degrees
 // Shares of the sole's length.
 constexpr double kFlat = 0.016;       // most that ground under a sole may differ from its plane
 constexpr double kMove = 0.02;        // by which places are moved in a search
@@ -112,7 +112,8 @@ SolePlace KnownGround::under(const Foothold& place, const SoleSize& sole, double
   std::array<double, kAlong * kAcross> h;
   double mean = 0.0, xh = 0.0, yh = 0.0, xx = 0.0, yy = 0.0;
   const auto point = [&](int i) {
-    return Vec2(half.x() * (2.0 * (i / kAcross) / (kAlong - 1) - 1.0), half.y() * (2.0 * (i % kAcross) / (kAcross - 1) - 1.0));
+    return Vec2(half.x() * (2.0 * (i / kAcross) / (kAlong - 1) - 1.0),
+                half.y() * (2.0 * (i % kAcross) / (kAcross - 1) - 1.0));
   };
   for (int i = 0; i < kAlong * kAcross; ++i) {
     const Vec2 u = point(i);

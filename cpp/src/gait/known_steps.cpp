@@ -18,8 +18,8 @@ constexpr double kSpeed = 0.3;    // what a step that is longer or shorter than 
 constexpr double kStands = 0.02;  // slower than this the robot steps on the spot [share of the cadence's speed]
 constexpr double kLevel = 1e-3;   // ground that rises by less is level [share of the sole's length]
 constexpr int kWay = 48;          // places along a swing at which the ground is looked at
-constexpr double kReach = 0.02;  // and how much longer than it is the sole is taken to be [share of its length]
-constexpr double kNear = 0.5;    // the DCM is led to a step as if that were at least this far ahead [T_c]
+constexpr double kReach = 0.02;   // and how much longer than it is the sole is taken to be [share of its length]
+constexpr double kNear = 0.5;     // the DCM is led to a step as if that were at least this far ahead [T_c]
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kMissing = 1e6;  // what the first step costs that has no place, and more the sooner that is
 constexpr double kClear = 0.08;   // by how much a swinging sole clears the ground [share of its length]
@@ -135,11 +135,13 @@ SwingShape GaitGenerator::clearing_shape(const GaitInput& in, double duration) c
   bool even = !out.tilts && std::abs(z_1 - z_0) < level;
   for (int i = 0; i <= kWay; ++i) {
     const double s = static_cast<double>(i) / kWay;
-    const Vec2 p = from.head<2>() + s * way, ahead = ahead_of(yaw + s * wrap_angle(lands.at.yaw - yaw)), left = left_of(ahead);
+    const Vec2 p = from.head<2>() + s * way, ahead = ahead_of(yaw + s * wrap_angle(lands.at.yaw - yaw)),
+               left = left_of(ahead);
     const Vec2 rise = lifts.rise + s * (lands.rise - lifts.rise);
     touch[i] = -kInfinity;
     for (int k = 0; k < 15; ++k) {
-      const Vec2 off = (0.5 + kReach) * sole_.length * (0.5 * (k / 3) - 1.0) * ahead + 0.5 * sole_.width * (k % 3 - 1.0) * left;
+      const Vec2 off =
+          (0.5 + kReach) * sole_.length * (0.5 * (k / 3) - 1.0) * ahead + 0.5 * sole_.width * (k % 3 - 1.0) * left;
       const double height = ground_->at(p + off).height + in.felt;
       if (height - rise.dot(off) > touch[i]) touch[i] = height - rise.dot(off);
     }
@@ -166,7 +168,9 @@ SwingShape GaitGenerator::clearing_shape(const GaitInput& in, double duration) c
       const int i = std::min(static_cast<int>(u), kWay - 1);
       const bool over_lift = u < 0.02 * kWay, over_place = u > 0.98 * kWay;
       const double free = clear * std::min({1.0, 6.0 * t, 6.0 * (1.0 - t)});
-      const double ground = over_lift ? touch[0] - level : over_place ? touch[kWay] - level : std::max(touch[i], touch[i + 1]) + free;
+      const double ground = over_lift    ? touch[0] - level
+                            : over_place ? touch[kWay] - level
+                                         : std::max(touch[i], touch[i + 1]) + free;
       if (z.p < ground) return;
     }
     least = effort;

@@ -82,9 +82,7 @@ void SwingFoot::fly(const Vec3& p, const Mat3& R, double duration, double z_land
   sinks_ = false;
   // Between ends at different heights, the longer way takes more time: at the top both cubics have one acceleration.
   const double up = std::sqrt(top - p.z()), down = std::sqrt(top - z_land);
-  rise_ = duration * (!std::isnan(rise)                  ? rise
-                      : std::abs(p.z() - z_land) < kLevel ? 0.5
-                                                          : up / (up + down));
+  rise_ = duration * (!std::isnan(rise) ? rise : std::abs(p.z() - z_land) < kLevel ? 0.5 : up / (up + down));
   const double fall = duration - rise_;
   const double v_top = speed > 0.0 ? knot_velocity(p.z(), 0.0, rise_, top, fall, z_land, -speed) : 0.0;
   up_ = Cubic(p.z(), 0.0, top, v_top, rise_);

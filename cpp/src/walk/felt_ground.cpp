@@ -39,7 +39,9 @@ void FeltGround::reset(double height) {
 void FeltGround::update(const GaitOutput& gait, const Dynamics& dynamics, double period) {
   if (gait.known) plan_.update(gait, period);
   if (!feels_) return;
-  const auto known = [&](Side side) { return side == gait.swing && !gait.standing[side] ? gait.place : gait.under[side]; };
+  const auto known = [&](Side side) {
+    return side == gait.swing && !gait.standing[side] ? gait.place : gait.under[side];
+  };
   // A sole that rocks on its own edge over even ground lifts its middle, but not its lowest corner.
   const auto lowest = [&](Side side) {
     const Mat3& R = dynamics.sole[side].R_WF;

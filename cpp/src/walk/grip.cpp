@@ -2,21 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace zmpwalk {
 namespace {
-double env(const char* n, double d) {
-  const char* v = std::getenv(n);
-  return v ? std::atof(v) : d;
-}
 
-constexpr double kSlow = 0.02;   // speed of a corner that is no slip yet: soles that turn reach two thirds of it [sqrt(g z_c)]
+constexpr double kSlow =
+    0.02;  // speed of a corner that is no slip yet: soles that turn reach two thirds of it [sqrt(g z_c)]
 constexpr double kWay = 0.004;   // way beyond that speed from which on a foot has slipped [z_c]
 constexpr double kHolds = 0.8;   // share of what was asked that is believed to hold
 constexpr double kLeast = 0.05;  // friction is never believed to be less
 // Times in T_c.
-constexpr double kFalls = 0.4;     // time constant with which it falls while the foot slips
+constexpr double kFalls = 0.4;      // time constant with which it falls while the foot slips
 constexpr double kRecovers = 36.0;  // and with which it recovers
 constexpr double kNeeds = 0.3;      // friction with which a walk goes as it likes
 constexpr double kSlowest = 0.3;    // least share of the planned speed
@@ -55,14 +51,14 @@ bool Grip::update(const GaitOutput& gait, const Dynamics& dynamics, const Vec12&
     if (slips && each == side) {
       const Vec3 F = f_c.segment<3>(6 * side);
       const double asked = F.head<2>().norm() / std::abs(F.z());
-      if (asked * env("GH", kHolds) < mu) mu = asked * env("GH", kHolds);
-      mu = std::max(mu * (1.0 - dt_ / fall_), env("GL", kLeast));
+      if (asked * kHolds < mu) mu = asked * kHolds;
+      mu = std::max(mu * (1.0 - dt_ / fall_), kLeast);
     } else if (mu < start_) {
       mu += dt_ / recover_ * (start_ - mu);
       if (start_ - mu < 1e-3 * start_) mu = start_;
     }
   }
-  pace_ = std::clamp(friction() / std::min(kNeeds, start_), env("GP", kSlowest), 1.0);
+  pace_ = std::clamp(friction() / std::min(kNeeds, start_), kSlowest, 1.0);
   return true;
 }
 

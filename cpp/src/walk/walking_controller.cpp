@@ -571,7 +571,9 @@ void WalkingController::note_body() {
     out_.fell = Fall::kNonFinite;
     out_.tau.setZero();
   } else if (const Fall fall = fall_.check(dyn); fall != Fall::kNone) {
-    out_.fell = fall;
+    // Over known ground a foot is lifted onto the next tread, and may stand far over the other one.
+    const bool high = gait_.output().known && dyn.com.z() - ground_.height() >= settings_.fall.height * height_.z_c();
+    if (fall != Fall::kHeight || !high) out_.fell = fall;
   }
 }
 

@@ -57,11 +57,12 @@ struct GaitOutput {
   Vec2 ahead_M = Vec2::UnitX();  ///< x axis of M in W, which is H in the middle of the support foot's stance
   ZmpBounds
       room;  ///< bounds of the ZMP now, in S: those of the support sole; in double support sideways also all that lies between the feet
-  ForwardOrbit orbit;            ///< orbit at the planned velocity, along the x axis of M
-  double orbit_middle = 0.0;     ///< where the middle of the orbit is, from `origin` along the x axis of M [m]
-  double dv_capture = 0.0;       ///< speed to add to the orbit's, so that the next step can catch the DCM [m/s]
-  double orbit_ahead = 0.0;      ///< how far the orbit has the COM ahead of a motion with constant velocity now [m]
-  double zmp_ahead = kNaN;       ///< the same along the x axis of M where steps fit known ground; NaN: the tracker says it [m]
+  ForwardOrbit orbit;         ///< orbit at the planned velocity, along the x axis of M
+  double orbit_middle = 0.0;  ///< where the middle of the orbit is, from `origin` along the x axis of M [m]
+  double dv_capture = 0.0;    ///< speed to add to the orbit's, so that the next step can catch the DCM [m/s]
+  double orbit_ahead = 0.0;   ///< how far the orbit has the COM ahead of a motion with constant velocity now [m]
+  double zmp_ahead =
+      kNaN;  ///< the same along the x axis of M where steps fit known ground; NaN: the tracker says it [m]
   double zmp_lateral = 0.0;      ///< reference ZMP, from `origin` along the y axis of M [m]
   Vec2 zmp_rest = Vec2::Zero();  ///< reference ZMP of a robot at rest, W [m]
   double w_T = kNaN;             ///< w(T) of eq. 18, H, in double support before the switch [m/s]; else NaN
@@ -70,11 +71,11 @@ struct GaitOutput {
   Foothold foothold;  ///< where the swing foot is to land, W; NaN in double support
   double stretch =
       0.0;  ///< largest distance along the ground of an ankle from below its hip, around this double support or the next [m]
-  bool off_time = false;     ///< the swing foot has met the ground off its planned time, in this cycle
-  bool known = false;        ///< the ground is known; what follows has a meaning only then
+  bool off_time = false;           ///< the swing foot has met the ground off its planned time, in this cycle
+  bool known = false;              ///< the ground is known; what follows has a meaning only then
   std::array<SolePlace, 2> under;  ///< the known ground under each foot that stands
   SolePlace place;                 ///< and where the next foot lands: in double support, where it is expected to
-  SwingTarget swing_target;  ///< desired motion of the swing sole; it has a meaning in single support only
+  SwingTarget swing_target;        ///< desired motion of the swing sole; it has a meaning in single support only
 };
 
 /// Reference ZMP of the smooth law for the COM state `com`, `dcom`, W (2,) [m].

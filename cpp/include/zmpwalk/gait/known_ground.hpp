@@ -18,8 +18,8 @@ struct GroundPatch {
 
 /// Height and slope of the ground at a place; not-a-number where there is no ground.
 struct GroundPoint {
-  double height = kNaN;             ///< W [m]
-  Vec2 rise = Vec2::Zero();         ///< per metre along x and along y of W (2,)
+  double height = kNaN;              ///< W [m]
+  Vec2 rise = Vec2::Zero();          ///< per metre along x and along y of W (2,)
   Plane plane(const Vec2& p) const;  ///< through the point of the ground at `p`
 };
 

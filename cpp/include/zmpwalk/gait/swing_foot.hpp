@@ -18,10 +18,10 @@ struct SwingTarget {
 
 /// How a swing is shaped to clear known ground. Shares are of the duration of the single support.
 struct SwingShape {
-  double top = kNaN;     ///< height of the top, W [m]; NaN: `height` over the higher end
-  double rise = kNaN;    ///< share after which the foot is at the top; NaN: by the way up and down
-  double starts = 0.0;   ///< share until which it only rises
-  double arrives = 1.0;  ///< share from which on it is over its place
+  double top = kNaN;         ///< height of the top, W [m]; NaN: `height` over the higher end
+  double rise = kNaN;        ///< share after which the foot is at the top; NaN: by the way up and down
+  double starts = 0.0;       ///< share until which it only rises
+  double arrives = 1.0;      ///< share from which on it is over its place
   Vec2 tilt = Vec2::Zero();  ///< roll and pitch with which it lands, about the axes of its heading [rad]
   bool tilts = false;        ///< it turns from the tilt that it lifts off with to that; else it swings level
 };

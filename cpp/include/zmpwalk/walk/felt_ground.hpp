@@ -29,11 +29,11 @@ class FeltGround {
   Vec2 steadying(const GaitOutput& gait, const Dynamics& dynamics) const;
 
   bool uneven() const { return uneven_; }
-  double height() const { return start_ + rise(); }  ///< of the ground that is followed, W [m]
-  double felt() const { return h_; }             ///< beyond known ground [m]
-  double rise() const { return plan_.rise() + h_; }          ///< since the start [m]
-  double drise() const { return plan_.drise() + dh_; }       ///< [m/s]
-  double ddrise() const { return plan_.ddrise() + ddh_; }    ///< [m/s^2]
+  double height() const { return start_ + rise(); }        ///< of the ground that is followed, W [m]
+  double felt() const { return h_; }                       ///< beyond known ground [m]
+  double rise() const { return plan_.rise() + h_; }        ///< since the start [m]
+  double drise() const { return plan_.drise() + dh_; }     ///< [m/s]
+  double ddrise() const { return plan_.ddrise() + ddh_; }  ///< [m/s^2]
 
  private:
   SoleSize sole_;

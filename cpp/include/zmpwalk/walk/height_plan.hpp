@@ -17,9 +17,9 @@ class HeightPlan {
   /// Goes on by one cycle. @param period of the steps [s]
   void update(const GaitOutput& gait, double period);
 
-  double rise() const { return h_; }       ///< since the start [m]
-  double drise() const { return dh_; }     ///< [m/s]
-  double ddrise() const { return ddh_; }   ///< [m/s^2]
+  double rise() const { return h_; }      ///< since the start [m]
+  double drise() const { return dh_; }    ///< [m/s]
+  double ddrise() const { return ddh_; }  ///< [m/s^2]
 
  private:
   double dt_, Tc_, start_ = 0.0;
