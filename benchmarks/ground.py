@@ -1,4 +1,6 @@
-"""What ground the default walk bears, most of it without being told of it: `python benchmarks/ground.py --page docs/ground.md`.
+"""What ground the default walk bears, mostly without being told of it.
+
+`python benchmarks/ground.py --page docs/ground.md`.
 
 Each row of the table walks at 0.25 m/s over one kind of ground in all its seeds, azimuths or places. Folders may
 follow, each with a `robot.json` whose robot walks slopes of 3° at Froude number 0.055. `--page` writes that page's part

@@ -1,4 +1,6 @@
-"""Ground to walk on, and ground that a controller knows: slopes, blocks, plates, steps, stairs and waves that take the place of a robot's floor."""
+"""Ground to walk on, and ground that a controller knows.
+
+Slopes, blocks, plates, steps, stairs and waves that take the place of a robot's floor."""
 
 from __future__ import annotations
 
@@ -32,8 +34,8 @@ class Patch(NamedTuple):
     """A plane piece of ground, a rectangle seen from above.
 
     `x` and `y` are its ranges [m], `height` is the height of its middle over the floor [m], and `rise` is how much
-    higher it becomes per metre along x and along y. `friction` is that of the patch, whatever the soles have; None is as
-    the floor. A controller that is given the model of this ground takes its least friction, so give it as `simulated`.
+    higher it becomes per metre along x and along y. `friction` is that of the patch, whatever the soles have; None is
+    as the floor. A controller that is given the model of this ground takes its least friction, so give it as `simulated`.
     """
 
     x: tuple[float, float]
@@ -378,7 +380,9 @@ def known_of(known: bool, ground: GroundLike | None, terrain: TerrainLike | None
     if not known:
         return ground
     if terrain is None or ground is not None:
-        raise InputError("known=True says that the controller knows the terrain: give a terrain, and no ground beside it")
+        raise InputError(
+            "known=True says that the controller knows the terrain: give a terrain, and no ground beside it"
+        )
     return Terrain.of(terrain)
 
 

@@ -79,15 +79,16 @@ def test_ground_is_given_as_patches_a_function_a_grid_and_words():
 
 def test_ground_is_read_from_an_hfield():
     model = mujoco.MjModel.from_xml_string(
-        '''<mujoco><asset><hfield name="h" nrow="3" ncol="5" size="2 1 0.4 0.1" elevation="0 0 0 0 0 0 0 1 0 0 0 0 0 0 0"/>
-        </asset><worldbody><geom name="hills" type="hfield" hfield="h" pos="1 0 0.2"/></worldbody></mujoco>'''
+        """<mujoco><asset><hfield name="h" nrow="3" ncol="5" size="2 1 0.4 0.1"
+        elevation="0 0 0 0 0 0 0 1 0 0 0 0 0 0 0"/>
+        </asset><worldbody><geom name="hills" type="hfield" hfield="h" pos="1 0 0.2"/></worldbody></mujoco>"""
     )
     ground = KnownGround.of("hills", model)
     assert ground.height([1.0, 0.0]) == pytest.approx(0.6) and ground.height([-1.0, 1.0]) == pytest.approx(0.2)
 
 
 @pytest.mark.parametrize(
-    "ground, says",
+    ("ground", "says"),
     [
         ([Patch((1, 1), (0, 1))], "no area"),
         ([Patch((0, 1), (0, 1), float("nan"))], "not finite"),
@@ -105,3 +106,22 @@ def test_known_needs_a_terrain():
         zmpwalk.simulate(duration=1.0, known=True)
     with pytest.raises(zmpwalk.InputError, match="does not stand on the ground"):
         zmpwalk.simulate(duration=1.0, ground=[Patch((5, 6), (0, 1))])
+
+
+def test_a_patch_of_ice_under_one_foot_is_felt_and_walked():
+    far, icy = (-20.0, 20.0), (0.5, 1.0)
+    ground = [
+        Patch((-3.0, 0.5), far),
+        Patch((1.0, 40.0), far),
+        Patch(icy, (0.0, 20.0), friction=0.1),
+        Patch(icy, (-20.0, 0.0)),
+    ]
+    _, description = zmpwalk.load_robot("mahru")
+    slippery = (Terrain("ice", ground).model("mahru"), description)
+    trace = zmpwalk.simulate(profile=0.15, duration=9.0, simulated=slippery)
+    assert not trace.meta["fell"] and trace.com[-1, 0] > 1.2
+    assert trace.friction.min() < 0.12 and trace.friction[0] == 1.0
+
+
+def test_a_quiet_walk_feels_no_slip():
+    assert (zmpwalk.simulate(profile=0.25, duration=4.0).friction == 1.0).all()

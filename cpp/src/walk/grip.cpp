@@ -39,7 +39,8 @@ bool Grip::update(const GaitOutput& gait, const Dynamics& dynamics, const Vec12&
   const Side side = gait.support;
   const Vec6& v = dynamics.sole[side].velocity;
   const double speed = v.head<2>().norm() + radius_ * std::abs(v[5]);
-  if (speed > slow_)
+  const bool rocks = radius_ * v.segment<2>(3).norm() > slow_;
+  if (speed > slow_ && !rocks)
     slipped_[side] += (speed - slow_) * dt_;
   else
     slipped_[side] = 0.0;

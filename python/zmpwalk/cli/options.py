@@ -19,12 +19,12 @@ __all__ = [
     "PathName",
     "RobotName",
     "format_option",
+    "known_option",
     "parse",
     "push_option",
     "robot_option",
     "settings_options",
     "size_of",
-    "known_option",
     "terrain_option",
     "unsure",
     "walk_options",
@@ -143,9 +143,7 @@ push_option = click.option(
     help="Force [N] on a body from T for DURATION [s]: 3.0:0.08:torso:0,50,0; no BODY is the trunk. Repeatable.",
 )
 
-known_option = click.option(
-    "--known", is_flag=True, help="The controller knows the --terrain, as stairs need it."
-)
+known_option = click.option("--known", is_flag=True, help="The controller knows the --terrain, as stairs need it.")
 
 terrain_option = click.option(
     "--terrain",

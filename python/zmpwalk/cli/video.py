@@ -72,14 +72,24 @@ def command(
     width, height = size_of(size)
     camera = None if azimuth is None else {"azimuth": azimuth}
     if trace is not None:
-        given = _given("robot", "profile", "duration", "law", "file", "footsteps", "changes", "push", "terrain", "known")
+        given = _given(
+            "robot", "profile", "duration", "law", "file", "footsteps", "changes", "push", "terrain", "known"
+        )
         if given:
             raise InputError(f"{given[0]} is for a new walk; {trace} is one already")
         walked = Trace.load(trace)
     else:
         with Progress(duration) as progress:
             walked = simulate(
-                robot, profile, duration, settings, progress.at, push=push, on_fall="go_on", terrain=terrain, known=known
+                robot,
+                profile,
+                duration,
+                settings,
+                progress.at,
+                push=push,
+                on_fall="go_on",
+                terrain=terrain,
+                known=known,
             )
     with Progress(walked.duration, "film") as progress:
         try:
