@@ -35,7 +35,7 @@ class Patch(NamedTuple):
 
     `x` and `y` are its ranges [m], `height` is the height of its middle over the floor [m], and `rise` is how much
     higher it becomes per metre along x and along y. `friction` is that of the patch, whatever the soles have; None is
-    as the floor. A controller that is given the model of this ground takes its least friction, so give it as `simulated`.
+    as the floor. A controller that is given the model of this ground takes its least friction: give it as `simulated`.
     """
 
     x: tuple[float, float]

@@ -9,6 +9,7 @@ namespace {
 constexpr double kSlow =
     0.02;  // speed of a corner that is no slip yet: soles that turn reach two thirds of it [sqrt(g z_c)]
 constexpr double kWay = 0.004;   // way beyond that speed from which on a foot has slipped [z_c]
+constexpr double kRocks = 1.0;   // a sole rocks whose corners move up and down this times as fast as along the ground
 constexpr double kHolds = 0.8;   // share of what was asked that is believed to hold
 constexpr double kLeast = 0.05;  // friction is never believed to be less
 // Times in T_c.
@@ -39,7 +40,8 @@ bool Grip::update(const GaitOutput& gait, const Dynamics& dynamics, const Vec12&
   const Side side = gait.support;
   const Vec6& v = dynamics.sole[side].velocity;
   const double speed = v.head<2>().norm() + radius_ * std::abs(v[5]);
-  const bool rocks = radius_ * v.segment<2>(3).norm() > slow_;
+  // A sole that rocks moves along the ground too; one that is known to slip may rock as it likes.
+  const bool rocks = friction_[side] == start_ && radius_ * v.segment<2>(3).norm() > kRocks * speed;
   if (speed > slow_ && !rocks)
     slipped_[side] += (speed - slow_) * dt_;
   else

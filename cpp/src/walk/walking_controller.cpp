@@ -416,7 +416,8 @@ void WalkingController::cycle(const State& state) {
 
 void WalkingController::feel_grip(const GaitOutput& gait) {
   // A sole that rocks on uneven ground moves along it without slipping.
-  if (!ground_.uneven() && grip_.update(gait, robot_.dynamics(), out_.f_c))
+  const bool begins = ground_.uneven() && grip_.pace() == 1.0;
+  if (!begins && grip_.update(gait, robot_.dynamics(), out_.f_c))
     for (const Side side : kSides) limits_.set_friction(side, grip_.friction(side));
   out_.friction = grip_.friction();
 }
