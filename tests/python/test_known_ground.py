@@ -79,8 +79,7 @@ def test_ground_is_given_as_patches_a_function_a_grid_and_words():
 
 def test_ground_is_read_from_an_hfield():
     model = mujoco.MjModel.from_xml_string(
-        """<mujoco><asset><hfield name="h" nrow="3" ncol="5" size="2 1 0.4 0.1"
-        elevation="0 0 0 0 0 0 0 1 0 0 0 0 0 0 0"/>
+        """<mujoco><asset><hfield name="h" nrow="3" ncol="5" size="2 1 0.4 0.1"/>
         </asset><worldbody><geom name="hills" type="hfield" hfield="h" pos="1 0 0.2"/></worldbody></mujoco>"""
     )
     model.hfield_data[7] = 1.0
