@@ -1,4 +1,6 @@
-"""What ground the default walk bears without being told of it: `python benchmarks/ground.py --page docs/ground.md`.
+"""What ground the default walk bears, mostly without being told of it.
+
+`python benchmarks/ground.py --page docs/ground.md`.
 
 Each row of the table walks at 0.25 m/s over one kind of ground in all its seeds, azimuths or places. Folders may
 follow, each with a `robot.json` whose robot walks slopes of 3° at Froude number 0.055. `--page` writes that page's part
@@ -34,6 +36,17 @@ def rows(blocks, plates):
     yield "blocks of up to 1 cm, friction 0.3", runs(30, ["blocks:1,0", "blocks:1,1"], **slippery)
     yield "soft ground, time constant 0.02 s", runs(30, ["soft:0.02"])
     yield "waves of 1 m that rise 3 cm", runs(30, ["waves:3"])
+    stairs = [shifted("stairs:12x28", 0.028 * i) for i in range(10)]
+    yield "known: stairs of 12 × 28 cm up and down, 10 starts", runs(22, stairs, known=True)
+    slopes = [f"slope:15,{a}" for a in AZIMUTHS]
+    yield "known: slopes of 15°, 8 azimuths", runs(30, slopes, known=True)
+
+
+def shifted(terrain, by):
+    """The same ground, by so much further ahead [m]."""
+    ground = zmpwalk.Terrain.of(terrain)
+    patches = [p._replace(x=(p.x[0] + by, p.x[1] + by)) for p in ground.patches]
+    return zmpwalk.Terrain(f"{ground.text}+{by:g}", patches)
 
 
 def runs(duration, terrains, profile=SPEED, **more):

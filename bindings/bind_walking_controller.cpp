@@ -141,6 +141,16 @@ void bind_walking_controller(py::module_& m) {
       .def_property_readonly(
           "settings", [](const WalkingController& c) { return c.settings(); },
           "the WalkSettings of this walk; every NaN has the robot's value")
+      .def(
+          "know",
+          [](WalkingController& c, const KnownGround& ground) {
+            const Busy busy(c, "know");
+            c.know(ground);
+          },
+          "ground"_a,
+          "Tells the ground that the robot walks on. It counts from the next reset on, and heights count from those of "
+          "the soles there.\n\nArgs:\n    ground: KnownGround; KnownGround() takes back what was told.")
+      .def_property_readonly("ground", &WalkingController::ground, "what is known of the ground, a KnownGround")
       .def_property_readonly("profile", &WalkingController::profile)
       .def(
           "retime",

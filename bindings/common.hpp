@@ -57,6 +57,7 @@ void bind_task_space(py::module_& m);
 void bind_tasks(py::module_& m);
 void bind_whole_body(py::module_& m);
 void bind_plane(py::module_& m);
+void bind_known_ground(py::module_& m);
 void bind_estimate(py::module_& m);
 void bind_reference_iteration(py::module_& m);
 void bind_pendulum(py::module_& m);

@@ -43,6 +43,7 @@ PYBIND11_MODULE(_core, m) {
   bind_contact_space(m);
   bind_task_space(m);
   bind_plane(m);
+  bind_known_ground(m);
   bind_tasks(m);
   bind_whole_body(m);
   bind_estimate(m);

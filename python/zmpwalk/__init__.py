@@ -73,7 +73,7 @@ from .robots import (
 from .settings import load_settings, settings_toml
 from .simulation import Recorder, WalkingController, simulate, simulate_batch
 from .tasks import FrameTask, JointTask, MomentumTask
-from .terrain import Patch, Terrain
+from .terrain import KnownGround, Patch, Terrain
 from .trace import Fall, Trace
 
 __all__ = [
@@ -91,6 +91,7 @@ __all__ = [
     "InputError",
     "JointMotion",
     "JointTask",
+    "KnownGround",
     "LinearInvertedPendulum",
     "ModelError",
     "MomentumTask",

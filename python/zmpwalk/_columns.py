@@ -139,6 +139,9 @@ class RecordedColumns:
     uneven: np.ndarray
     """(T,). Whether the ground has been felt to be uneven."""
 
+    friction: np.ndarray
+    """(T,). Friction that the feet are believed to have; it falls where a foot slips, and recovers slowly."""
+
     torque_ratio: np.ndarray
     """(T,). Largest ratio of a joint's torque to its limit, before limits are kept or torques cut."""
 

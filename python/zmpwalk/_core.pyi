@@ -27,6 +27,7 @@ __all__: list[str] = [
     "GaitSettings",
     "JointMotion",
     "JointTask",
+    "KnownGround",
     "LegParts",
     "LimitsSettings",
     "LinearInvertedPendulum",
@@ -3320,6 +3321,75 @@ class Contact:
     @width.setter
     def width(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
 
+class KnownGround:
+    """
+    Ground that the user knows: a height for each place, from plane patches or from heights on a grid.
+
+    Where patches overlap, the highest one counts. Between the points of a grid heights are bilinear. KnownGround() knows nothing.
+    """
+    @staticmethod
+    def of_grid(
+        corner: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"],
+        spacing: typing.SupportsFloat | typing.SupportsIndex,
+        heights: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"],
+    ) -> KnownGround:
+        """
+        Args:
+            corner: world x and y of heights[0, 0] (2,) [m].
+            spacing: between points [m].
+            heights: rows along x, columns along y [m].
+
+        Raises:
+            InputError: fewer than two rows or columns, a spacing that is not positive, a number that is not finite.
+        """
+    @staticmethod
+    def of_patches(patches: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"]) -> KnownGround:
+        """
+        Args:
+            patches: (n, 7), each (x_0, x_1, y_0, y_1, height, rise_x, rise_y): a rectangle along the world's axes [m], the
+                height of its middle [m], and how much higher it becomes per metre along x and along y.
+
+        Raises:
+            InputError: a number is not finite, or a patch has no area.
+        """
+    def __init__(self) -> None: ...
+    def __reduce__(self) -> typing.Any: ...
+    def height(self, p: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"]) -> float:
+        """
+        Height at world x and y `p` (2,) [m]; not-a-number where there is no ground.
+        """
+    def rise(
+        self, p: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"]
+    ) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 1]"]:
+        """
+        How much higher the ground becomes per metre along x and along y, at world x and y `p` (2,).
+        """
+    @property
+    def corner(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 1]"]:
+        """
+        of a grid (2,) [m]
+        """
+    @property
+    def heights(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"]:
+        """
+        of a grid [m]; empty for patches
+        """
+    @property
+    def known(self) -> bool:
+        """
+        whether anything is known
+        """
+    @property
+    def patches(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"]:
+        """
+        the patches as `of_patches` takes them, (n, 7); none of a grid
+        """
+    @property
+    def spacing(self) -> float:
+        """
+        of a grid [m]
+        """
+
 class Task:
     """
     Something that the robot is to do while it walks.
@@ -4240,6 +4310,11 @@ class CycleOutput:
         Whether this call computed the torque and did not hold an earlier one.
         """
     @property
+    def friction(self) -> float:
+        """
+        Friction that the feet are believed to have; it falls where a foot slips, and recovers slowly.
+        """
+    @property
     def ground(self) -> float:
         """
         Height of the ground that the walk follows: that of the soles at the start until the ground is felt to be uneven.
@@ -4469,6 +4544,13 @@ class WalkingController:
         """
         Share of the knee's torque limit that its own rotor and damping take as the foot lifts, at a walking speed [m/s].
         """
+    def know(self, ground: KnownGround) -> None:
+        """
+        Tells the ground that the robot walks on. It counts from the next reset on, and heights count from those of the soles there.
+
+        Args:
+            ground: KnownGround; KnownGround() takes back what was told.
+        """
     def move(self, motion: JointMotion) -> None:
         """
         Lets joints outside the legs, and the trunk, follow `motion` from now on; see the package's WalkingController.
@@ -4615,6 +4697,11 @@ class WalkingController:
         """
     @property
     def description(self) -> RobotDescription: ...
+    @property
+    def ground(self) -> KnownGround:
+        """
+        what is known of the ground, a KnownGround
+        """
     @property
     def joint_names(self) -> list[str]: ...
     @property

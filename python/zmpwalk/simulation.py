@@ -25,7 +25,7 @@ from .motion import JointMotion
 from .profiles import Profile, VelocityProfile, profile_of, three
 from .robots import Robot, RobotDescription, describe, description_to_dict
 from .robots.source import Given, Source, given_source, model_bytes
-from .terrain import Terrain, TerrainLike, load_scene, scene_model
+from .terrain import GroundLike, KnownGround, Terrain, TerrainLike, known_of, load_scene, scene_model
 from .trace import Trace, plain
 
 __all__ = ["Recorder", "WalkingController", "simulate", "simulate_batch"]
@@ -50,6 +50,8 @@ class WalkingController(_core.WalkingController):
         profile: planned velocity: a `VelocityProfile`, vx [m/s], (vx, vy, wz), pairs (t, v), a text such as
             "0:0.1,2:0.2" or a CSV file; None takes `VelocityProfile.paper()`.
         source: the file that the model was compiled from, or its text, for traces (`simulate`).
+        ground: the ground that the controller knows (`KnownGround.of`): a `Terrain` or its text, a `KnownGround`, an
+            hfield of the model, or a function f(x, y) of the height; None: what the feet feel is all that is known.
 
     Raises:
         ModelError: the model lacks what the description names, or cannot walk.
@@ -66,6 +68,7 @@ class WalkingController(_core.WalkingController):
         settings: Settings = None,
         profile: Profile = None,
         source: Given = None,
+        ground: GroundLike | None = None,
     ):
         super().__init__(
             model,
@@ -74,6 +77,8 @@ class WalkingController(_core.WalkingController):
             profile=profile_of(profile),
         )
         self._model = model
+        if ground is not None:
+            self.know(ground)
         self._source = given_source(source, model) if source is not None else None
         self._tasks: list[dict[str, Any]] = []  # which task was added in which cycle, and in which it was removed
 
@@ -100,6 +105,22 @@ class WalkingController(_core.WalkingController):
     def motion(self) -> JointMotion | None:  # type: ignore[override]
         """The joint motion that is followed; None where there is none."""
         return JointMotion.of(super().motion) if super().motion.names else None
+
+    def know(self, ground: GroundLike | None) -> None:  # type: ignore[override]
+        """Tell the controller the ground that the robot walks on; it counts from the next `reset` on.
+
+        Feet are set on flat places near the planned ones, swing over what lies between, and land with the ground's
+        tilt; the COM rises and sinks with the feet. Heights count from those of the soles at `reset`.
+
+        Args:
+            ground: what `KnownGround.of` takes; None takes back what was told.
+
+        Raises:
+            InputError: it is no ground. `reset` raises it where the robot does not stand on this ground.
+
+        Usage: `controller.know("stairs:12x28")`
+        """
+        super().know(_core.KnownGround() if ground is None else KnownGround.of(ground, self._model))
 
     def move(self, motion: _core.JointMotion | None) -> None:
         """Let arms, waist and trunk follow a motion from the last cycle on, while the legs walk.
@@ -264,6 +285,8 @@ def simulate(
     simulated: Robot | None = None,
     terrain: TerrainLike | None = None,
     source: Given = None,
+    known: bool = False,
+    ground: GroundLike | None = None,
 ) -> Trace:
     """Walk a robot in MuJoCo, wholly in C++, and return what was recorded.
 
@@ -297,10 +320,12 @@ def simulate(
         simulated: the robot that is simulated, where it is not the one that the controller knows: it must have the
             bodies that the description names, and the same joints in the same order. `uncertainty` changes this one.
         terrain: ground in place of the floor of the robot's scene: a `Terrain` or a text such as "slope:5",
-            "blocks:2,7" or "stairs:12x28" (`Terrain.of`). The controller is not told.
+            "blocks:2,7" or "stairs:12x28" (`Terrain.of`). The controller is not told, unless `known` says so.
         source: what `robot` was compiled from where it is an `MjModel`: the path of its MJCF or URDF, the text of an
             MJCF, or (text, {file name: content}). The trace keeps it, so that it can be filmed and run again under any
             MuJoCo. A robot that is given by name or path brings its own.
+        known: whether the controller knows the `terrain` (`WalkingController.know`).
+        ground: what it knows of the ground, where that is something else than the terrain (`KnownGround.of`).
 
     Returns:
         The trace, one row per control cycle.
@@ -315,9 +340,11 @@ def simulate(
         `zmpwalk.simulate(duration=12, push=[(4.0, 0.08, None, (0, 100, 0))], on_fall="go_on")`
         `zmpwalk.simulate(uncertainty={"noise": 1, "torque_delay": 0.004}, seed=3)`
         `zmpwalk.simulate(profile=0.25, terrain="blocks:1", duration=30)`
+        `zmpwalk.simulate(profile=0.25, terrain="stairs:12x28", known=True, duration=20)`
     """
     model, description = load_scene(robot, terrain, source)
-    controller = WalkingController(model, description, settings, profile, source)
+    knows = known_of(known, ground, terrain)
+    controller = WalkingController(model, description, settings, profile, source, knows)
     controller.move(motion)
     for task in tasks:
         controller.add(task)
@@ -364,7 +391,10 @@ def simulate_batch(
         key = tuple(each if isinstance(each, (str, os.PathLike)) else id(each) for each in (robot, terrain))
         if key not in robots:
             robots[key] = load_scene(robot, terrain, given.get("source"))
-        controller = WalkingController(*robots[key], given.get("settings"), given.get("profile"), given.get("source"))
+        knows = known_of(given.get("known", False), given.get("ground"), terrain)
+        controller = WalkingController(
+            *robots[key], given.get("settings"), given.get("profile"), given.get("source"), knows
+        )
         controller.move(given.get("motion"))
         for task in given.get("tasks", ()):
             controller.add(task)
@@ -586,7 +616,9 @@ def rerun(trace: Trace, on_progress: Progress | None = None) -> Trace:
 
 def _rerun(trace: Trace, on_progress: Progress | None) -> Trace:
     model = trace.model
-    controller = WalkingController(model, trace.description, trace.settings, trace.profile)
+    known = trace.meta.get("known_ground")
+    ground = None if known is None else KnownGround.from_dict(known)
+    controller = WalkingController(model, trace.description, trace.settings, trace.profile, ground=ground)
     controller._source = trace._source
     controller.move(trace.motion)
     change_tasks = _tasks_again(controller, trace)
@@ -675,6 +707,7 @@ def _describe_run(
         "profile": VelocityProfile.of(controller.profile).to_dict(),
         "motion": controller.motion and controller.motion.to_dict(),
         "tasks": controller._task_record(),
+        "known_ground": KnownGround.to_dict(controller.ground) if controller.ground.known else None,
         "versions": _versions(),
         "model_sha256": hashlib.sha256(compiled).hexdigest(),
         "timestep": model.opt.timestep,

@@ -1,21 +1,24 @@
-"""Ground to walk on: slopes, blocks, plates, steps, stairs and waves that take the place of a robot's floor."""
+"""Ground to walk on, and ground that a controller knows.
+
+Slopes, blocks, plates, steps, stairs and waves that take the place of a robot's floor."""
 
 from __future__ import annotations
 
 import math
 import os
 from dataclasses import dataclass, field
-from typing import Any, Mapping, NamedTuple, Sequence, Union
+from typing import Any, Callable, Mapping, NamedTuple, Sequence, Union
 
 import mujoco
 import numpy as np
 
+from . import _core
 from .errors import InputError, ModelError, nearest
 from .robots import Robot, RobotDescription, load_robot, robot_file
 from .robots.load import read_robot
 from .robots.source import Given, remember, source_of
 
-__all__ = ["Patch", "Terrain", "load_scene", "scene_model"]
+__all__ = ["KnownGround", "Patch", "Terrain", "known_of", "load_scene", "scene_model"]
 
 START = 0.5  # where the ground begins to differ from the floor, along x from the start [m]
 BEHIND, AHEAD, ASIDE = 3.0, 40.0, 20.0  # how far the ground goes on around that place [m]
@@ -31,13 +34,15 @@ class Patch(NamedTuple):
     """A plane piece of ground, a rectangle seen from above.
 
     `x` and `y` are its ranges [m], `height` is the height of its middle over the floor [m], and `rise` is how much
-    higher it becomes per metre along x and along y.
+    higher it becomes per metre along x and along y. `friction` is that of the patch, whatever the soles have; None is
+    as the floor. A controller that is given the model of this ground takes its least friction: give it as `simulated`.
     """
 
     x: tuple[float, float]
     y: tuple[float, float]
     height: float = 0.0
     rise: tuple[float, float] = (0.0, 0.0)
+    friction: float | None = None
 
     @property
     def middle(self) -> np.ndarray:
@@ -58,7 +63,7 @@ class Terrain:
     """A ground that takes the place of the floor of a robot's scene.
 
     The robot starts on the floor and walks along x; 0.5 m ahead the ground begins. It is made of boxes that touch as
-    the floor does (friction, stiffness), and the controller is not told of it.
+    the floor does (friction, stiffness). The controller is not told of it, unless it is given as `KnownGround` too.
 
     Args:
         text: how it was asked for, as `Terrain.of` takes it and a trace records it.
@@ -244,6 +249,8 @@ class Terrain:
         centre = patch.middle + [0.0, 0.0, floor] - half[2] * axes[:, 2]
         if self.solref is not None:
             keep.update(solref=f"{self.solref!r} 1", priority="1")
+        if patch.friction is not None:
+            keep.update(friction=f"{patch.friction!r} 0.005 0.0001", priority="1")
         return {
             **keep, "name": f"terrain_{k}", "type": "box", "size": _text(half), "pos": _text(centre),
             "xyaxes": _text([*axes[:, 0], *axes[:, 1]]),
@@ -251,6 +258,133 @@ class Terrain:
 
 
 TerrainLike = Union[Terrain, str]
+
+
+class KnownGround(_core.KnownGround):
+    """Ground that a controller knows: a height for each place.
+
+    Usage: `controller.know(KnownGround.of_function(lambda x, y: 0.02 * x, x=(-1, 9), y=(-1, 1)))`
+    """
+
+    @staticmethod
+    def of(ground: GroundLike, model: mujoco.MjModel | None = None) -> _core.KnownGround:
+        """The ground that was given as such, or by one of these.
+
+        Args:
+            ground: a `KnownGround`; a `Terrain`, or its text such as "stairs:12x28"; a list of `Patch`; or the name of
+                a geom of `model` that is an hfield.
+            model: in which that geom is.
+
+        Raises:
+            InputError: something else.
+
+        Usage: `KnownGround.of("slope:15")`
+        """
+        if isinstance(ground, _core.KnownGround):
+            return ground
+        if isinstance(ground, str):
+            geom = -1 if model is None else mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_GEOM, ground)
+            if geom >= 0:
+                return KnownGround.of_hfield(model, ground)  # type: ignore[arg-type]
+            ground = Terrain.of(ground)
+        patches = ground.patches if isinstance(ground, Terrain) else ground
+        try:
+            rows = np.array([[*p.x, *p.y, p.height, *p.rise] for p in patches], dtype=float)
+        except (AttributeError, TypeError, ValueError):
+            raise InputError(
+                f"{ground!r} is no ground; give a KnownGround, a Terrain or its text, patches, or an hfield's name"
+            ) from None
+        return _core.KnownGround.of_patches(rows.reshape(-1, 7))
+
+    @staticmethod
+    def of_function(
+        height: Callable[[float, float], float],
+        x: tuple[float, float],
+        y: tuple[float, float],
+        spacing: float = 0.02,
+    ) -> _core.KnownGround:
+        """Heights of a function, taken on a grid.
+
+        Args:
+            height: f(x, y) [m] of world x and y [m].
+            x, y: ranges that the robot may step on [m].
+            spacing: of the grid [m]; between its points heights are bilinear, so that an edge becomes a ramp of this
+                length.
+
+        Raises:
+            InputError: a range that is empty, a height that is not finite.
+
+        Usage: `KnownGround.of_function(lambda x, y: 0.1 * (x > 1), x=(-1, 5), y=(-1, 1))`
+        """
+        if not (spacing > 0.0 and x[0] < x[1] and y[0] < y[1]):
+            raise InputError(f"x is {x}, y is {y}, spacing is {spacing!r}: ranges must go upwards, spacing must be > 0")
+        along, across = (np.arange(r[0], r[1] + spacing, spacing) for r in (x, y))
+        heights = np.array([[float(height(float(a), float(b))) for b in across] for a in along])
+        return _core.KnownGround.of_grid(np.array([x[0], y[0]]), spacing, heights)
+
+    @staticmethod
+    def of_hfield(model: mujoco.MjModel, geom: str) -> _core.KnownGround:
+        """The heights of a geom of type hfield that lies level, its axes along the world's.
+
+        Raises:
+            InputError: the model has no such geom, or it is turned.
+
+        Usage: `KnownGround.of_hfield(model, "terrain")`
+        """
+        g = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_GEOM, geom)
+        if g < 0 or model.geom_type[g] != mujoco.mjtGeom.mjGEOM_HFIELD:
+            raise InputError(f"the model has no hfield geom '{geom}'")
+        data = mujoco.MjData(model)
+        mujoco.mj_kinematics(model, data)
+        if not np.allclose(data.geom_xmat[g].reshape(3, 3), np.eye(3), atol=1e-9):
+            raise InputError(f"the hfield '{geom}' is turned; its axes must be those of the world")
+        f = model.geom_dataid[g]
+        rows, columns, start = model.hfield_nrow[f], model.hfield_ncol[f], model.hfield_adr[f]
+        size, at = model.hfield_size[f], data.geom_xpos[g]
+        heights = at[2] + size[2] * model.hfield_data[start : start + rows * columns].reshape(rows, columns).T
+        spacing = 2.0 * size[0] / (columns - 1)
+        if not math.isclose(spacing, 2.0 * size[1] / (rows - 1), rel_tol=1e-6):
+            across = np.arange(0.0, 2.0 * size[1] + 0.5 * spacing, spacing)
+            own = np.linspace(0.0, 2.0 * size[1], rows)
+            heights = np.array([np.interp(across, own, row) for row in heights])
+        return _core.KnownGround.of_grid(at[:2] - size[:2], spacing, np.asarray(heights, dtype=float))
+
+    @staticmethod
+    def to_dict(ground: _core.KnownGround) -> dict[str, Any]:
+        """The ground as plain numbers, for JSON. Usage: `KnownGround.to_dict(controller.ground)`"""
+        if len(ground.patches):
+            return {"patches": ground.patches.tolist()}
+        return {"corner": ground.corner.tolist(), "spacing": ground.spacing, "heights": ground.heights.tolist()}
+
+    @staticmethod
+    def from_dict(values: Mapping[str, Any]) -> _core.KnownGround:
+        """The ground of such a dictionary. Usage: `KnownGround.from_dict(trace.meta["known_ground"])`"""
+        if "patches" in values:
+            return _core.KnownGround.of_patches(np.array(values["patches"]))
+        return _core.KnownGround.of_grid(
+            np.array(values["corner"]), float(values["spacing"]), np.array(values["heights"])
+        )
+
+
+GroundLike = Union[_core.KnownGround, TerrainLike, Sequence[Patch]]
+
+
+def known_of(known: bool, ground: GroundLike | None, terrain: TerrainLike | None) -> GroundLike | None:
+    """What a controller knows of the ground: `ground`, or the `terrain` where it is `known`; None: nothing.
+
+    Raises:
+        InputError: `known` without a terrain, or beside `ground`.
+
+    Usage: `known_of(True, None, "stairs:12x28")`
+    """
+    if not known:
+        return ground
+    if terrain is None or ground is not None:
+        raise InputError(
+            "known=True says that the controller knows the terrain: give a terrain, and no ground beside it"
+        )
+    return Terrain.of(terrain)
+
 
 _SHAPE = ("name", "type", "size", "pos", "quat", "euler", "axisangle", "xyaxes", "zaxis", "fromto")
 _KINDS: dict[str, Any] = {

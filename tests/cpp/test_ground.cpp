@@ -18,6 +18,7 @@ const SoleSize kSole{0.25, 0.14};
 const ZmpBounds kBounds{Vec2(-0.09, -0.0504), Vec2(0.09, 0.0504)};
 const LinearInvertedPendulum kPendulum(kRobot.com_height, kRobot.gravity);
 const VelocityProfile kAhead({0.0}, {Vec3(0.2, 0, 0)});
+constexpr double kPeriod = 0.8;      // of the steps [s]
 constexpr double kCycle = 1.001e-3;  // a control cycle and rounding [s]
 
 WalkSettings settings(TouchDown touch_down = TouchDown::kFelt) {
@@ -38,7 +39,7 @@ struct Standing {
   }
   void sole_at(double rise, Side side = kLeft) { dynamics.sole[side].p_WF.z() = 0.3 + rise; }
   void run(double time) {
-    for (long k = std::lround(time / s.control.dt); k > 0; --k) ground.update(gait, dynamics);
+    for (long k = std::lround(time / s.control.dt); k > 0; --k) ground.update(gait, dynamics, kPeriod);
   }
 
   WalkSettings s;

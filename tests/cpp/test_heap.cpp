@@ -85,9 +85,11 @@ struct Seen {
 };
 
 Seen walk(double duration, const WalkSettings& s, const mjModel* m = mahru(), Terms terms = Terms::kCompute,
-          const JointMotion& motion = JointMotion(), const std::vector<Vec3>& commands = {}) {
+          const JointMotion& motion = JointMotion(), const std::vector<Vec3>& commands = {},
+          const KnownGround& ground = KnownGround()) {
   WalkingController controller(m, describe(mahru()), s);
   controller.move(motion);
+  controller.know(ground);
   Recorder recorder(controller, duration);
   const MjDataPtr d = make_data(m);
   controller.robot().description().place(m, d.get());
@@ -142,6 +144,16 @@ BOOST_AUTO_TEST_CASE(cycle_of_the_default_law_allocates_nothing) {
   stays_off_the_heap(seen);
   BOOST_CHECK(seen.single && seen.both && seen.left && seen.right && seen.modified);
   BOOST_CHECK_GE(seen.steps, 3);
+}
+
+BOOST_AUTO_TEST_CASE(cycle_on_known_ground_allocates_nothing) {
+  // Low treads that are not there: places are searched, swings shaped and heights followed all the same.
+  std::vector<GroundPatch> patches{{Vec2(-3, -2), Vec2(0.4, 2), 0.0, Vec2::Zero()}};
+  for (int k = 0; k < 10; ++k)
+    patches.push_back({Vec2(0.4 + 0.28 * k, -2), Vec2(0.68 + 0.28 * k, 2), k % 2 ? 0.0 : 0.002, Vec2(0.0, 0.01)});
+  const Seen seen = walk(3.0, WalkSettings(), mahru(), Terms::kCompute, JointMotion(), {}, KnownGround(patches));
+  stays_off_the_heap(seen);
+  BOOST_CHECK(seen.single && seen.both && seen.left && seen.right);
 }
 
 BOOST_AUTO_TEST_CASE(cycle_on_mujocos_terms_allocates_nothing) {

@@ -101,6 +101,12 @@ LimitKeeper::LimitKeeper(const RobotLimits& limits, const WholeBodyController& w
   }
 }
 
+void LimitKeeper::set_friction(Side side, double friction) {
+  if (friction == limits_.sole[side].friction) return;
+  limits_.sole[side].friction = friction;
+  sole_rows_[side] = sole_rows(limits_.sole[side], limits_.weight);
+}
+
 bool LimitKeeper::are_kept(const Dynamics& dyn, const Stance& stance, const WholeBodyResult& out) {
   bool kept = true;
   const double k = limits_.range_rate;

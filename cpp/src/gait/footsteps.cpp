@@ -6,6 +6,13 @@
 #include "zmpwalk/math/rotation.hpp"
 
 namespace zmpwalk {
+namespace {
+
+// Shares of the sole's length.
+constexpr double kMargin = 0.03;  // that a sole keeps from edges of known ground
+constexpr double kFar = 0.6;      // most by which a foothold is moved to a good place
+
+}  // namespace
 
 FootstepPlanner::FootstepPlanner(const WalkSettings& settings, const VelocityProfile& plan, const SoleSize& sole)
     : settings_(settings),
@@ -61,7 +68,8 @@ Vec2 FootstepPlanner::clear(const Foothold& place) const {
   return gap < 0.0 ? Vec2(place.p - side_sign(swing_) * gap * left) : place.p;
 }
 
-Foothold FootstepPlanner::begin_step(int n, Side swing, const Foothold& stance, const PlannedStance& next) {
+Foothold FootstepPlanner::begin_step(int n, Side swing, const Foothold& stance, const PlannedStance& next,
+                                     const SolePlace* place) {
   swing_ = swing;
   stance_ = PathPoint(stance);
   closing_ = false;
@@ -75,9 +83,17 @@ Foothold FootstepPlanner::begin_step(int n, Side swing, const Foothold& stance, 
     nominal_.p += (lead(n, next) - apart.dot(plan.ahead)) * plan.ahead;
   }
   nominal_.p = clear(nominal_);
+  if (ground_) {
+    nominal_place_ = place_ = place ? *place : nearest(nominal_);
+    if (place_.good) nominal_.p = place_.at.p;
+  }
   planned_[swing] = nominal_;
   target_ = nominal_;
   return target_;
+}
+
+SolePlace FootstepPlanner::nearest(const Foothold& wanted, const SolePlace* like) const {
+  return ground_->nearest(wanted, sole_, kMargin * sole_.length, kFar * sole_.length, like);
 }
 
 double FootstepPlanner::stretch(const Vec2& landed, Side side, const Vec2& lifting, const PlannedStance& at,
@@ -97,6 +113,11 @@ void FootstepPlanner::close(Side swing, const Foothold& stance, double xi) {
   const double missed = std::hypot(xi, aside);
   closing_ = missed <= settings_.gait.closing_distance &&
              std::abs(wrap_angle(path_.yaw - stance.yaw)) <= settings_.gait.closing_turn;
+  if (closing_ && ground_) {
+    const SolePlace there = ground_->under(beside, sole_, 0.0);
+    closing_ = there.good;
+    if (closing_) nominal_place_ = place_ = there;
+  }
   if (closing_) nominal_ = target_ = beside;
 }
 
@@ -122,8 +143,14 @@ const Foothold& FootstepPlanner::follow(const Vec2& off, const PathPoint& planne
   };
   if (ahead) within(planned.ahead, ahead->foot, settings_.steps.ahead_most, ahead->way.x());
   if (beside) within(left, beside->foot, settings_.steps.aside_most, beside->way.y());
-  target_.p += blend_ * (clear(wanted) - target_.p);
+  wanted.p = clear(wanted);
+  if (ground_ && nominal_place_.good) {
+    const SolePlace near = nearest(wanted, &nominal_place_);
+    wanted.p = near.good ? near.at.p : nominal_.p;
+  }
+  target_.p += blend_ * (wanted.p - target_.p);
   target_.yaw += blend_ * wrap_angle(wanted.yaw - target_.yaw);
+  if (ground_) place_ = ground_->under(target_, sole_, 0.0);
   return target_;
 }
 

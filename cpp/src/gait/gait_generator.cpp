@@ -43,7 +43,7 @@ Vec2 reference_zmp(const GaitOutput& gait, const LinearInvertedPendulum& pendulu
   const double a =
       gait.orbit.acceleration(from_middle) + tracker.acceleration(gait.orbit.velocity(from_middle) + gait.dv_capture,
                                                                   dcom.dot(gait.ahead_M), gait.orbit_ahead);
-  const double r = pendulum.reference_for(x, a);  // along M's x
+  const double r = std::isnan(gait.zmp_ahead) ? pendulum.reference_for(x, a) : gait.zmp_ahead;  // along M's x
   // The bounds are along S's x: what is beyond them must not lean sideways where the sole points elsewhere than the walk.
   const double inside = std::clamp(r, gait.room.lower.x(), gait.room.upper.x());
   return gait.origin + inside * gait.ahead_M + (r - inside) * gait.ahead_S + gait.zmp_lateral * left_of(gait.ahead_M);
@@ -72,7 +72,8 @@ GaitGenerator::GaitGenerator(const WalkSettings& settings, const VelocityProfile
       whole_(whole),
       stand_ahead_(place_with_room(bounds, sole.length, 0.0)),
       least_apart_(sole.foot_width + settings.steps.clearance),
-      recovers_(settings.steps.timing && settings.steps.mode == Footsteps::kTied) {
+      recovers_(settings.steps.timing && settings.steps.mode == Footsteps::kTied),
+      sole_(sole) {
   plan_.reserve();
 }
 
@@ -88,7 +89,10 @@ void GaitGenerator::reset(const GaitInput& start, const LinearInvertedPendulum& 
   pushed_ = off_plan_ = 0.0;
   alone_ = false;
   footsteps_.end_step();
+  footsteps_.know(ground_);
+  fits_ = steered_ = slowed_ = told_ = false;
   out_ = GaitOutput{};
+  out_.known = ground_ != nullptr;
   const std::array<Foothold, 2> feet = feet_of(start);
   out_.heading = feet[kLeft].yaw + 0.5 * wrap_angle(feet[kRight].yaw - feet[kLeft].yaw);
   footsteps_.reset(feet, out_.heading);
@@ -119,11 +123,19 @@ void GaitGenerator::retime(double remaining) {
 void GaitGenerator::take_command(double t) {
   if (!commanded_) return;
   commanded_ = false;
+  wanted_ = command_;
+  told_ = true;
+  if (fits_ || slowed_) return;  // the next step fits it to the ground
+  steered_ = false;
+  steer(t, command_);
+}
+
+void GaitGenerator::steer(double t, const Vec3& target) {
   const Vec3 spent = (plan_.velocity(t) - plan_.velocity(t_command_)).cwiseAbs();
   allowance_ += ((t - t_command_) * limits_.acceleration - spent).cwiseMax(0.0);
   allowance_ = allowance_.cwiseMin(limits_.jump);
   const Vec3 before = plan_.velocity(t);
-  plan_.steer(t, command_, limits_, allowance_);
+  plan_.steer(t, target, limits_, allowance_);
   footsteps_.replan();
   allowance_ = (allowance_ - (plan_.velocity(t) - before).cwiseAbs()).cwiseMax(0.0);
   t_command_ = t;
@@ -131,6 +143,7 @@ void GaitGenerator::take_command(double t) {
 
 StepTimes GaitGenerator::times_at(double t) const {
   const double T = cadence_.slow.period();
+  if (fits_) return cadence_.slow;
   return cadence_.times(plan_.displacement(t, t + T) / T);
 }
 
@@ -238,11 +251,18 @@ void GaitGenerator::move_swing_foot(const GaitInput& in) {
     const double z_land = std::isnan(in.ground) ? in.p_sole[other(out_.swing)].z() : in.ground;
     const bool feels = in.uneven || settings_.gait.touch_down == TouchDown::kContact;
     const double height = (in.uneven ? kLift : 1.0) * settings_.swing.height;
-    swing_foot_.begin(in.p_sole[out_.swing], in.R_sole[out_.swing], duration, z_land, height,
-                      feels ? settings_.gait.touch_down_speed : 0.0, in.uneven);
+    const double speed = feels ? settings_.gait.touch_down_speed : 0.0;
+    const SwingShape shape = ground_ ? clearing_shape(in, duration) : SwingShape{};
+    shaped_ = !std::isnan(shape.top);
+    if (!shaped_)
+      swing_foot_.begin(in.p_sole[out_.swing], in.R_sole[out_.swing], duration, z_land, height, speed, in.uneven);
+    else
+      swing_foot_.begin(in.p_sole[out_.swing], in.R_sole[out_.swing], duration, out_.place.height + in.felt, shape,
+                        speed);
   } else if (swing_ != Swing::kOverdue && duration != swing_foot_.duration()) {
     swing_foot_.replan(t, duration - t);
   }
+  if (ground_ && shaped_) swing_foot_.land_at(out_.place.height + in.felt);
   out_.swing_target = swing_foot_.update(t, settings_.control.dt, out_.foothold);
 }
 
@@ -258,6 +278,7 @@ const GaitOutput& GaitGenerator::update_steps(const GaitInput& in) {
   out_.w_T = kNaN;
   zmp_lateral_ = out_.zmp_lateral;
   out_.zmp_lateral = 0.0;
+  out_.zmp_ahead = kNaN;
   out_.stretch = 0.0;
   if (began_ == Began::kStand) {
     out_.at_rest = true;
@@ -288,6 +309,8 @@ const GaitOutput& GaitGenerator::update_steps(const GaitInput& in) {
   if (recovers_) feel_pushes(in);
   sole_room_ = sole_room(out_.v_plan);
   out_.room = room(in, bounds_, sole_room_);
+  if (ground_) look_at_ground(in);
+  if (began_ == Began::kDoubleSupport && (ground_ || steered_ || in.pace < 1.0)) fit_plan(in);
   if (out_.at_rest) {
     if (recovers_) out_.room = room(in, whole_, whole_[out_.support]);
     // The ZMP leads the DCM back to the middle between the feet.
@@ -328,6 +351,7 @@ void GaitGenerator::move_ahead(const GaitInput& in) {
   out_.orbit_middle = settings_.com.lead;
   out_.orbit_ahead = out_.orbit.ahead(std::clamp(since_middle, -half, half));
   capture(in, time);
+  if (fits_) meet_place(in, time);
 }
 
 void GaitGenerator::turn(const GaitInput& in, double since_middle) {
@@ -391,6 +415,7 @@ void GaitGenerator::capture(const GaitInput& in, double time) {
   const bool decided = out_.phase.phase == Phase::kSingleSupport &&
                        (footsteps_.closing() || out_.phase.time > settings_.steps.freeze * out_.phase.duration);
   const double foot = before_switch() ? (in.p_sole[other(out_.support)].head<2>() - out_.origin).dot(ahead_next_)
+                      : fits_         ? (out_.place.at.p - out_.origin).dot(ahead_next_)
                       : decided       ? (footsteps_.target().p - out_.origin).dot(ahead_next_)
                                       : planned_lead();
   const double planned = foot + xi_start_, near = settings_.steps.capture_distance;
@@ -484,13 +509,14 @@ void GaitGenerator::move_sideways(const GaitInput& in) {
       planned_landing_ = schedule_.touch_down();
       const Side stance = other(out_.swing);
       const Foothold foot = foothold_of(in.p_sole[stance], in.R_sole[stance]);
-      footsteps_.begin_step(out_.phase.step, out_.swing, foot, next_);
+      footsteps_.begin_step(out_.phase.step, out_.swing, foot, next_, fits_ ? &out_.place : nullptr);
       if (settings_.gait.stand && plan_.at_rest(in.t, schedule_.touch_down() + schedule_.times().T_ds))
         footsteps_.close(out_.swing, foot, xi_next_);
     }
     if (footsteps_.follows(decided_share(in))) {
       const PathPoint planned = footsteps_.planned(out_.swing, next_);
-      const Vec2 off = footsteps_.off_nominal(ahead_of_plan(in, planned.p), lateral_.miss(sway(planned.p)), planned);
+      Vec2 off = footsteps_.off_nominal(ahead_of_plan(in, planned.p), lateral_.miss(sway(planned.p)), planned);
+      if (fits_ && pushed_ == 0.0) off.x() = 0.0;
       // A long way is bounded by what the leg and the foot in the air can do.
       const bool pushed = pushed_ > 0.0, far_ahead = pushed || std::abs(off.x()) > settings_.steps.shift,
                  far_beside = pushed || std::abs(off.y()) > settings_.steps.shift;
@@ -499,6 +525,7 @@ void GaitGenerator::move_sideways(const GaitInput& in) {
       footsteps_.follow(off, planned, far_ahead ? &reachable : nullptr, far_beside ? &reachable : nullptr);
     }
     out_.foothold = footsteps_.target();
+    if (ground_) out_.place = footsteps_.place();
   }
   const Vec2 there = single ? out_.foothold.p : footsteps_.planned(out_.swing, next_).p;
   out_.zmp_lateral = lateral_.reference(sway(there));

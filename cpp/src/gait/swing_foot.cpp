@@ -17,6 +17,7 @@ constexpr double kStop = 1e-3;      // slowest rate of the own time
 // A steep swing: shares of its duration until which it only rises, and from which on it is over its place; least share of the time left that its way
 // there takes.
 constexpr double kRises = 0.15, kThere = 0.88, kLeastLeft = 0.3;
+constexpr double kTilts = 0.1, kTilted = 0.9;  // shares of its duration in which a sole turns to the ground's tilt
 
 Motion1 sum(const Motion1& a, const Motion1& b) { return {a.p + b.p, a.v + b.v, a.a + b.a}; }
 
@@ -57,15 +58,31 @@ void OwnTime::retime(double t, double left) {
 
 void SwingFoot::begin(const Vec3& p, const Mat3& R, double duration, double z_land, double height, double speed,
                       bool steep) {
+  starts_ = steep ? kRises : 0.0;
+  arrives_ = steep ? kThere : 1.0;
+  tilts_ = false;
+  fly(p, R, duration, z_land, std::max(p.z(), z_land) + height, kNaN, speed);
+}
+
+void SwingFoot::begin(const Vec3& p, const Mat3& R, double duration, double z_land, const SwingShape& shape,
+                      double speed) {
+  starts_ = shape.starts;
+  arrives_ = shape.arrives;
+  tilts_ = shape.tilts;
+  from_tilt_ = {std::atan2(R(2, 1), R(2, 2)), -std::asin(std::clamp(R(2, 0), -1.0, 1.0))};
+  to_tilt_ = shape.tilt;
+  fly(p, R, duration, z_land, shape.top, shape.rise, speed);
+}
+
+void SwingFoot::fly(const Vec3& p, const Mat3& R, double duration, double z_land, double top, double rise,
+                    double speed) {
   time_ = OwnTime(duration);
   duration_ = duration;
-  z_land_ = z_land;
+  z_land_ = z_moved_ = z_land;
   sinks_ = false;
-  steep_ = steep;
-  const double top = std::max(p.z(), z_land) + height;
   // Between ends at different heights, the longer way takes more time: at the top both cubics have one acceleration.
   const double up = std::sqrt(top - p.z()), down = std::sqrt(top - z_land);
-  rise_ = duration * (std::abs(p.z() - z_land) < kLevel ? 0.5 : up / (up + down));
+  rise_ = duration * (!std::isnan(rise) ? rise : std::abs(p.z() - z_land) < kLevel ? 0.5 : up / (up + down));
   const double fall = duration - rise_;
   const double v_top = speed > 0.0 ? knot_velocity(p.z(), 0.0, rise_, top, fall, z_land, -speed) : 0.0;
   up_ = Cubic(p.z(), 0.0, top, v_top, rise_);
@@ -96,6 +113,18 @@ void SwingFoot::sink(double t, double time) {
   sinks_ = true;
 }
 
+void SwingFoot::tilt(const Motion1& own, const Motion1& yaw) {
+  const double from = kTilts * duration_, time = (kTilted - kTilts) * duration_;
+  std::array<Motion1, 2> angle;
+  for (int i = 0; i < 2; ++i)
+    angle[i] = in_time(Cubic(from_tilt_[i], 0.0, to_tilt_[i], 0.0, time).at(std::clamp(own.p - from, 0.0, time)), own);
+  const Turning turn = turning(angle[0], angle[1], yaw);
+  target_.R = turn.R;
+  target_.omega = turn.omega;
+  target_.alpha = turn.alpha;
+  yaw_ = yaw.p;
+}
+
 const SwingTarget& SwingFoot::update(double t, double dt, const Foothold& foothold) {
   std::array<Motion1, 4> now;  // x, y, yaw, z
   if (sinks_) {
@@ -103,9 +132,9 @@ const SwingTarget& SwingFoot::update(double t, double dt, const Foothold& footho
       now[i] = sum(sinking_[i].at(t - since_), fade_out({0.0, 0.0, beside_[i]}, sunk_ - since_, t - since_));
   } else {
     const Motion1 own = time_.at(t);
-    const bool rises = steep_ && own.p < kRises * duration_;
+    const bool rises = starts_ > 0.0 && own.p < starts_ * duration_;
     double left = duration_ - own.p;
-    if (steep_) left = std::max(kThere * duration_ - own.p, kLeastLeft * left);
+    if (arrives_ < 1.0) left = std::max(arrives_ * duration_ - own.p, kLeastLeft * left);
     const double step = time_.step(t, dt);
     to_ = {foothold.p.x(), foothold.p.y(), next_[2].p + wrap_angle(foothold.yaw - next_[2].p)};
     for (int i = 0; i < 3; ++i) {
@@ -118,11 +147,20 @@ const SwingTarget& SwingFoot::update(double t, double dt, const Foothold& footho
       next_[i] = spline.at(std::min(step, left));
     }
     now[3] = in_time(height(own), own);
+    if (z_moved_ != z_land_) {
+      const Motion1 share = in_time(Cubic(0.0, 0.0, 1.0, 0.0, duration_).at(std::clamp(own.p, 0.0, duration_)), own);
+      const double moved = z_moved_ - z_land_;
+      now[3] = sum(now[3], {moved * share.p, moved * share.v, moved * share.a});
+    }
   }
   const auto& [x, y, yaw, z] = now;
   target_.p << x.p, y.p, z.p;
   target_.v << x.v, y.v, z.v;
   target_.a << x.a, y.a, z.a;
+  if (tilts_) {
+    tilt(time_.at(t), yaw);
+    return target_;
+  }
   if (yaw.p != yaw_) target_.R = rotation_z(yaw_ = yaw.p);
   target_.omega.z() = yaw.v;
   target_.alpha.z() = yaw.a;

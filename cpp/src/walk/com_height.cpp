@@ -28,9 +28,10 @@ bool ComHeight::weigh(double gravity) {
   return true;
 }
 
-bool ComHeight::update(double t, double stretch, const VelocityProfile& plan, const LegReach& reach, double ahead) {
-  const double wanted =
-      reach.crouch_for(std::max({reach.stride(plan.velocity(t)), reach.stride(plan.velocity(t + ahead)), stretch}));
+bool ComHeight::update(double t, double stretch, const VelocityProfile& plan, const LegReach& reach, double ahead,
+                       double lift) {
+  const double wanted = reach.crouch_for(
+      std::max({reach.stride(plan.velocity(t)), reach.stride(plan.velocity(t + ahead)), stretch}), lift);
   if (wanted == 0.0 && crouch_ == 0.0) return false;
   ddcrouch_ = rate_ * (rate_ * (wanted - crouch_) - 2.0 * dcrouch_);
   crouch_ += dcrouch_ * dt_;

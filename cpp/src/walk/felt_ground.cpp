@@ -5,6 +5,11 @@
 namespace zmpwalk {
 namespace {
 
+/// How far `p` is over the plane of known ground at `place` [m].
+double height_over(const SolePlace& place, const Vec3& p) {
+  return p.z() - place.height - place.rise.dot(p.head<2>() - place.at.p);
+}
+
 // Shares of z_c by which soles on even ground differ in height.
 constexpr double kHigher = 0.005;
 constexpr double kLower = 0.010;  // feet with soft contacts sink where they are jumped on
@@ -18,6 +23,7 @@ constexpr double kCalm = 18.0;    // so long a ground must stay level to count a
 
 FeltGround::FeltGround(const WalkSettings& settings, const SoleSize& sole, double z_c, double Tc)
     : sole_(sole),
+      plan_(settings.control.dt, Tc),
       feels_(settings.gait.touch_down == TouchDown::kFelt),
       dt_(settings.control.dt),
       higher_(kHigher * z_c),
@@ -30,14 +36,23 @@ void FeltGround::reset(double height) {
   start_ = height;
   uneven_ = false;
   h_ = dh_ = ddh_ = level_ = calm_ = 0.0;
+  plan_.reset(height);
 }
 
-void FeltGround::update(const GaitOutput& gait, const Dynamics& dynamics) {
+void FeltGround::update(const GaitOutput& gait, const Dynamics& dynamics, double period) {
+  if (gait.known) plan_.update(gait, period);
   if (!feels_) return;
+  const auto known = [&](Side side) {
+    return side == gait.swing && !gait.standing[side] ? gait.place : gait.under[side];
+  };
   // A sole that rocks on its own edge over even ground lifts its middle, but not its lowest corner.
   const auto lowest = [&](Side side) {
     const Mat3& R = dynamics.sole[side].R_WF;
-    return dynamics.sole[side].p_WF.z() - 0.5 * (std::abs(R(2, 0)) * sole_.length + std::abs(R(2, 1)) * sole_.width);
+    const Vec3& p = dynamics.sole[side].p_WF;
+    if (!gait.known) return p.z() - 0.5 * (std::abs(R(2, 0)) * sole_.length + std::abs(R(2, 1)) * sole_.width);
+    const SolePlace ground = known(side);
+    const auto over = [&](const Vec3& along) { return std::abs(along.z() - ground.rise.dot(along.head<2>())); };
+    return start_ + height_over(ground, p) - 0.5 * (over(R.col(0)) * sole_.length + over(R.col(1)) * sole_.width);
   };
   const auto differs = [&](Side side) {
     const double rise = lowest(side) - start_ - level_;
@@ -50,7 +65,8 @@ void FeltGround::update(const GaitOutput& gait, const Dynamics& dynamics) {
     level_ = lowest(gait.support) - start_;
   }
   if (!uneven_) return;
-  const double off = dynamics.sole[gait.support].p_WF.z() - start_;
+  const Vec3& stands = dynamics.sole[gait.support].p_WF;
+  const double off = gait.known ? height_over(known(gait.support), stands) : stands.z() - start_;
   ddh_ = ((off - h_) / time_ - 2.0 * dh_) / time_;
   h_ += dh_ * dt_;
   dh_ += ddh_ * dt_;

@@ -49,13 +49,13 @@ double LegReach::stride(const Vec3& velocity) const {
   return std::hypot(along, aside);
 }
 
-double LegReach::crouch_for(double stride) const {
+double LegReach::crouch_for(double stride, double lift) const {
   const double wanted = crouch_margin_ * stride;
-  if (wanted <= along_ground(0.0)) return 0.0;
+  if (wanted <= along_ground(-lift)) return 0.0;
   double less = 0.0, enough = crouch_limit_;
   for (int i = 0; i < 12; ++i) {
     const double middle = 0.5 * (less + enough);
-    (along_ground(middle) >= wanted ? enough : less) = middle;
+    (along_ground(middle - lift) >= wanted ? enough : less) = middle;
   }
   return enough;
 }

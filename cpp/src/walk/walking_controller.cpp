@@ -18,6 +18,15 @@ RobotDescription with_limits(RobotDescription description, const std::map<std::s
   return description;
 }
 
+/// How much further than on level ground the hip is over the lower foot, half way between a foot and the next one on known ground [m].
+double lift_of(const GaitOutput& gait) {
+  if (!gait.known || gait.at_rest) return 0.0;
+  const Side stance = other(gait.swing);
+  const double next = std::abs(gait.place.height - gait.under[stance].height);
+  const bool both = gait.phase.phase == Phase::kDoubleSupport;
+  return 0.5 * std::max(next, both ? std::abs(gait.under[gait.swing].height - gait.under[stance].height) : 0.0);
+}
+
 double whole_fraction(const WalkSettings& s) { return std::max(s.zmp.whole_fraction, s.zmp.sole_fraction); }
 
 double top_speed(const VelocityProfile& profile) {
@@ -61,6 +70,7 @@ WalkingController::WalkingController(const Model& model, const RobotDescription&
              bounds_of(robot_, kRight, settings_, whole_fraction(settings_))},
       height_(height_over_soles(robot_.dynamics()), robot_.dynamics().gravity.norm(), settings_),
       ground_(settings_, sole_, height_.z_c(), height_.pendulum().Tc()),
+      grip_(settings_, sole_, height_.z_c(), robot_.dynamics().gravity.norm(), settings_.limits.friction),
       gait_(settings_, profile_, sole_, bounds_, whole_),
       reach_(robot_, settings_, gait_.cadence()),
       command_limit_(robot_, settings_, gait_.cadence(), reach_, sole_, bounds_[kLeft], height_.z_c()),
@@ -120,6 +130,8 @@ GaitInput WalkingController::gait_input(double t, const Vec2& com, const Vec2& d
   in.behind = gait_.output().orbit_ahead - tracker_.integral();
   // On uneven ground a foot lands at the height of the stance foot, as far as is known.
   in.uneven = ground_.uneven();
+  in.felt = ground_.felt();
+  in.pace = grip_.pace();
   if (settings_.gait.touch_down != TouchDown::kContact && !in.uneven) in.ground = ground_.height();
   return in;
 }
@@ -239,6 +251,9 @@ void WalkingController::start() {
   dcom_des_ = dyn.dcom.head<2>();
   dcom_expected_.setConstant(kNaN);
   trunk_task_.softness = 0.0;
+  stand_on_known_ground();
+  grip_.reset();
+  for (const Side side : kSides) limits_.set_friction(side, grip_.friction(side));
   start_ = gait_input(0.0, com_des_, dcom_des_);
   gait_.reset(start_, height_.pendulum());
   arms_.reset();
@@ -258,6 +273,26 @@ void WalkingController::start() {
   f_xy_.setZero();
   observer_.reset(dyn.dcom);
   attitude_.reset(dyn.R_WB);
+}
+
+void WalkingController::know(const KnownGround& ground) { told_ = ground; }
+
+void WalkingController::stand_on_known_ground() {
+  known_ = told_;
+  stance_.ground = {};
+  if (!known_.known()) {
+    gait_.know(nullptr);
+    return;
+  }
+  const auto& [left, right] = robot_.dynamics().sole;
+  const double under = 0.5 * (known_.at(left.p_WF.head<2>()).height + known_.at(right.p_WF.head<2>()).height);
+  if (std::isnan(under))
+    throw InputError("the robot does not stand on the ground that is known: its soles are at (" +
+                     text_of(left.p_WF.x()) + ", " + text_of(left.p_WF.y()) + ") m and (" + text_of(right.p_WF.x()) +
+                     ", " + text_of(right.p_WF.y()) + ") m; let the ground reach under them");
+  // Known heights count from the soles, whatever the world's origin is and however deep they sink in.
+  known_.lift(height_.ground() - under);
+  gait_.know(&known_);
 }
 
 const CycleOutput& WalkingController::update(const State& state) {
@@ -350,13 +385,15 @@ void WalkingController::cycle(const State& state) {
   GaitInput in = gait_input(t, com + forced.shift, dcom);
   in.contact << state.contact[kLeft], state.contact[kRight];
   const GaitOutput& gait = gait_.update(in);
-  ground_.update(gait, dyn);
+  ground_.update(gait, dyn, gait_.schedule().times().period());
+  feel_grip(gait);
   // A force that has not lasted is over soon: the fall is foreseen without it.
   const Vec2 recent = recent_force();
   in.com -= (dyn.com.z() - ground_.height()) / forced.gravity * recent;
   out_.foreseen = foresight_.update(state.time, gait_, in, height_.pendulum());
   out_.fall_gap = foresight_.gap();
-  if (height_.update(t, gait.stretch, gait_.plan(), reach_, gait_.cadence().slow.period())) follow_pendulum();
+  if (height_.update(t, gait.stretch, gait_.plan(), reach_, gait_.cadence().slow.period(), lift_of(gait)))
+    follow_pendulum();
   Cycle cycle = cycle_of(t, dyn, gait, height_.pendulum(), com, dcom, forced.shift);
   cycle.steadying = ground_.steadying(gait, dyn);
 
@@ -366,6 +403,8 @@ void WalkingController::cycle(const State& state) {
   command_tasks(cycle);
   stance_.standing = gait.standing;
   stance_.support = gait.support;
+  if (gait.known)
+    for (const Side side : kSides) stance_.ground[side] = gait.under[side].plane(gait.under[side].at.p);
   stance_.lateral << left_of(gait.ahead), 0.0;
   arms_.help(out_.limits.holds_yaw());
   if (arms_.on())
@@ -388,6 +427,14 @@ Vec2 WalkingController::recent_force() const {
   // On uneven ground the edges push, and what they add up to is no push from outside.
   if (ground_.uneven()) return Vec2::Zero();
   return observer_.made_up_for().head<2>() - observer_.steady();
+}
+
+void WalkingController::feel_grip(const GaitOutput& gait) {
+  // A sole that rocks on uneven ground moves along it without slipping.
+  const bool begins = ground_.uneven() && grip_.pace() == 1.0;
+  if (!begins && grip_.update(gait, robot_.dynamics(), out_.f_c))
+    for (const Side side : kSides) limits_.set_friction(side, grip_.friction(side));
+  out_.friction = grip_.friction();
 }
 
 Vec2 WalkingController::horizontal_force(const Dynamics& dyn, const std::array<bool, 2>& standing) const {
@@ -467,7 +514,7 @@ void WalkingController::decide_reference(const Cycle& cycle) {
   out_.com_des << com_des_, com_task_.p.z();
   out_.dcom_des << dcom_des_, com_task_.v.z();
   out_.v_des << cycle.R_WH.transpose() * dcom_des_, gait.v_plan.z();
-  if (gait.at_rest)
+  if (gait.at_rest || !std::isnan(gait.zmp_ahead))
     tracker_.reset();
   else
     tracker_.advance(out_.v_des.x(), gait.v_plan.x(), settings_.control.dt);
@@ -541,7 +588,9 @@ void WalkingController::note_body() {
     out_.fell = Fall::kNonFinite;
     out_.tau.setZero();
   } else if (const Fall fall = fall_.check(dyn); fall != Fall::kNone) {
-    out_.fell = fall;
+    // Over known ground a foot is lifted onto the next tread, and may stand far over the other one.
+    const bool high = gait_.output().known && dyn.com.z() - ground_.height() >= settings_.fall.height * height_.z_c();
+    if (fall != Fall::kHeight || !high) out_.fell = fall;
   }
 }
 

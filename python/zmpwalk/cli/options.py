@@ -19,6 +19,7 @@ __all__ = [
     "PathName",
     "RobotName",
     "format_option",
+    "known_option",
     "parse",
     "push_option",
     "robot_option",
@@ -142,11 +143,13 @@ push_option = click.option(
     help="Force [N] on a body from T for DURATION [s]: 3.0:0.08:torso:0,50,0; no BODY is the trunk. Repeatable.",
 )
 
+known_option = click.option("--known", is_flag=True, help="The controller knows the --terrain, as stairs need it.")
+
 terrain_option = click.option(
     "--terrain",
     metavar="GROUND",
     help="Ground in place of the floor: flat, slope:DEG[,AZIMUTH], blocks:CM[,SEED], plates:DEG[,SEED], step:CM[,AT], "
-    "stairs:RISExTREAD (cm), waves[:CM], soft:SECONDS. The controller is not told.",
+    "stairs:RISExTREAD (cm), waves[:CM], soft:SECONDS. The controller is told only with --known.",
 )
 
 

@@ -12,7 +12,7 @@ from ..errors import InputError
 from ..files import as_input_error
 from ..simulation import simulate
 from ..trace import Trace
-from .options import PathName, push_option, size_of, terrain_option, walk_options
+from .options import PathName, known_option, push_option, size_of, terrain_option, walk_options
 from .terminal import STOOD, Progress
 
 __all__ = ["command"]
@@ -23,6 +23,7 @@ __all__ = ["command"]
 @walk_options
 @push_option
 @terrain_option
+@known_option
 @click.option(
     "--out",
     type=PathName(),
@@ -49,6 +50,7 @@ def command(
     settings: Any,
     push: tuple[str, ...],
     terrain: str | None,
+    known: bool,
     out: Path,
     speed: float,
     fps: int,
@@ -70,14 +72,24 @@ def command(
     width, height = size_of(size)
     camera = None if azimuth is None else {"azimuth": azimuth}
     if trace is not None:
-        given = _given("robot", "profile", "duration", "law", "file", "footsteps", "changes", "push", "terrain")
+        given = _given(
+            "robot", "profile", "duration", "law", "file", "footsteps", "changes", "push", "terrain", "known"
+        )
         if given:
             raise InputError(f"{given[0]} is for a new walk; {trace} is one already")
         walked = Trace.load(trace)
     else:
         with Progress(duration) as progress:
             walked = simulate(
-                robot, profile, duration, settings, progress.at, push=push, on_fall="go_on", terrain=terrain
+                robot,
+                profile,
+                duration,
+                settings,
+                progress.at,
+                push=push,
+                on_fall="go_on",
+                terrain=terrain,
+                known=known,
             )
     with Progress(walked.duration, "film") as progress:
         try:

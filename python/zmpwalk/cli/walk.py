@@ -16,9 +16,9 @@ from ..motion import JointMotion
 from ..profiles import profile_of
 from ..robots import examine
 from ..simulation import ON_FALL, Outside, WalkingController, check_duration, run
-from ..terrain import load_scene
+from ..terrain import known_of, load_scene
 from ..trace import Trace
-from .options import PathName, format_option, push_option, terrain_option, unsure, walk_options
+from .options import PathName, format_option, known_option, push_option, terrain_option, unsure, walk_options
 from .terminal import FELL, INTERRUPTED, STOOD, Progress, listened, new_console, number
 
 __all__ = ["command"]
@@ -43,6 +43,7 @@ MISMATCH = 0.002  # feet off the planned velocity by this are worth a warning [m
 )
 @click.option("--simulated", help="The robot that is simulated, where the controller's --robot is not the true one.")
 @terrain_option
+@known_option
 @click.option("--seed", type=int, default=0, show_default=True, help="Of all that is random.")
 @click.option(
     "--on-fall",
@@ -71,6 +72,7 @@ def command(
     uncertain: tuple[str, ...],
     simulated: str | None,
     terrain: str | None,
+    known: bool,
     seed: int,
     on_fall: str,
     out: Path | None,
@@ -87,7 +89,8 @@ def command(
     if terrain is not None:
         model, _ = load_scene(robot, terrain)
     name = robot if robot.isidentifier() else found.description.name
-    controller = WalkingController(model, found.description, settings, velocity)
+    ground = known_of(known, None, terrain)
+    controller = WalkingController(model, found.description, settings, velocity, ground=ground)
     controller.move(None if motion is None else JointMotion.from_csv(motion))
     outside = Outside.of(controller, seed, push, on_fall, unsure(uncertain), simulated, terrain)
     outside.simulation(controller)

@@ -86,6 +86,9 @@ class LimitKeeper {
   /// @returns false where that is not possible; `out` is then as it was
   bool keep(const Dynamics& dynamics, const Stance& stance, WholeBodyResult& out);
 
+  /// Lets the sole `side` give no more than this friction > 0 from now on. Allocates nothing.
+  void set_friction(Side side, double friction);
+
   const ActiveLimits& active() const { return active_; }  ///< those that held the last torque back
   /// What the last call has changed, in the sizes of `give()`; zero where nothing was.
   const Change& change() const { return change_; }

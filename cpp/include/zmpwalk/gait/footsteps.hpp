@@ -1,28 +1,15 @@
 #pragma once
 
-#include <cmath>
 #include <vector>
 
+#include "zmpwalk/gait/foothold.hpp"
+#include "zmpwalk/gait/known_ground.hpp"
 #include "zmpwalk/gait/schedule.hpp"
 #include "zmpwalk/gait/velocity_profile.hpp"
 #include "zmpwalk/math/types.hpp"
 #include "zmpwalk/settings/settings.hpp"
 
 namespace zmpwalk {
-
-/// Unit vector along a heading `yaw` [rad], and the one to its left.
-inline Vec2 ahead_of(double yaw) { return {std::cos(yaw), std::sin(yaw)}; }
-inline Vec2 left_of(double yaw) { return {-std::sin(yaw), std::cos(yaw)}; }
-/// The unit vector to the left of the unit vector `ahead`.
-inline Vec2 left_of(const Vec2& ahead) { return {-ahead.y(), ahead.x()}; }
-/// The axes of a level frame whose x axis is the unit vector `ahead`, as a matrix (2, 2): p_W = axes_of(ahead) p.
-inline Mat2 axes_of(const Vec2& ahead) { return (Mat2() << ahead.x(), -ahead.y(), ahead.y(), ahead.x()).finished(); }
-
-/// A place for a foot: its sole's centre in the horizontal plane, and its heading (x, y [m], yaw [rad]) in W.
-struct Foothold {
-  Vec2 p = Vec2::Zero();
-  double yaw = 0.0;
-};
 
 /// A place with a heading, such as a point of the path, and the unit vector along that heading, which is computed once.
 struct PathPoint : Foothold {
@@ -42,12 +29,6 @@ struct PathPoint : Foothold {
   PathPoint beside(double y) const { return moved({0.0, y, 0.0}); }
 
   Vec2 ahead = Vec2::UnitX();
-};
-
-/// Size of a sole [m], and of the foot as it is seen from above, which keeps clear of the other one.
-struct SoleSize {
-  double length = 0.0, width = 0.0;
-  double foot_length = length, foot_width = width;
 };
 
 /// The plan around one stance: in the middle of the double support in which the foot takes over, and in the step period after it.
@@ -93,6 +74,13 @@ class FootstepPlanner {
   /// @param settings resolved   @param plan planned velocity; it must outlive the planner   @param sole size that both soles are taken to have
   FootstepPlanner(const WalkSettings& settings, const VelocityProfile& plan, const SoleSize& sole);
 
+  /// From now on feet are set on good places of `ground`, which must outlive the planner; null: nothing is known of the ground.
+  void know(const KnownGround* ground) { ground_ = ground; }
+  /// The ground under the present target; meaningless where nothing is known.
+  const SolePlace& place() const { return place_; }
+  /// The good place nearest to `wanted` (`KnownGround::nearest`), for this robot's soles and the margin that they keep from edges.
+  SolePlace nearest(const Foothold& wanted, const SolePlace* like = nullptr) const;
+
   /// Begins a walk. @param feet  sole centres at the start, left and right   @param heading of the path there [rad]
   void reset(const std::array<Foothold, 2>& feet, double heading);
   /// A robot that stood walks on from between `feet`, along the heading that the path has.
@@ -120,7 +108,9 @@ class FootstepPlanner {
   double width(double drift) const { return settings_.steps.width + std::abs(drift); }
 
   /// Chooses the nominal foothold of step n, when the foot lifts. @param stance measured place of the stance foot
-  Foothold begin_step(int n, Side swing, const Foothold& stance, const PlannedStance& next);
+  /// @param place  good place of known ground where it is to be; null where the plan says it
+  Foothold begin_step(int n, Side swing, const Foothold& stance, const PlannedStance& next,
+                      const SolePlace* place = nullptr);
   /// Makes this step the closing step, which sets the foot beside the stance foot so that the robot can stand. It does so only where that place is
   /// near enough to the path and to where the DCM will be, `xi` ahead of the stance foot [m].
   void close(Side swing, const Foothold& stance, double xi);
@@ -166,6 +156,8 @@ class FootstepPlanner {
   PathPoint path_;                   // point of the path now
   std::array<Foothold, 2> planned_;  // where the plan puts the feet, for "absolute"
   Foothold nominal_, target_;
+  const KnownGround* ground_ = nullptr;
+  SolePlace place_, nominal_place_;
   PathPoint stance_;
   Side swing_ = kLeft;
   bool closing_ = false;

@@ -2,6 +2,7 @@
 
 #include "zmpwalk/gait/footsteps.hpp"
 #include "zmpwalk/gait/forward_orbit.hpp"
+#include "zmpwalk/gait/known_ground.hpp"
 #include "zmpwalk/gait/lateral_motion.hpp"
 #include "zmpwalk/gait/pendulum.hpp"
 #include "zmpwalk/gait/schedule.hpp"
@@ -29,6 +30,8 @@ struct GaitInput {
   double ground = kNaN;
   Vec2 contact = Vec2::Constant(kNaN);  ///< whether each foot touches the ground: 1 yes, 0 no, NaN unknown
   bool uneven = false;                  ///< the ground has been felt to be uneven
+  double pace = 1.0;                    ///< share of the wanted velocity to walk with, where feet slip
+  double felt = 0.0;                    ///< how much higher than known ground is what is felt there [m]
 };
 
 /// The place of a sole with centre `p` and axes `R`.
@@ -54,10 +57,12 @@ struct GaitOutput {
   Vec2 ahead_M = Vec2::UnitX();  ///< x axis of M in W, which is H in the middle of the support foot's stance
   ZmpBounds
       room;  ///< bounds of the ZMP now, in S: those of the support sole; in double support sideways also all that lies between the feet
-  ForwardOrbit orbit;            ///< orbit at the planned velocity, along the x axis of M
-  double orbit_middle = 0.0;     ///< where the middle of the orbit is, from `origin` along the x axis of M [m]
-  double dv_capture = 0.0;       ///< speed to add to the orbit's, so that the next step can catch the DCM [m/s]
-  double orbit_ahead = 0.0;      ///< how far the orbit has the COM ahead of a motion with constant velocity now [m]
+  ForwardOrbit orbit;         ///< orbit at the planned velocity, along the x axis of M
+  double orbit_middle = 0.0;  ///< where the middle of the orbit is, from `origin` along the x axis of M [m]
+  double dv_capture = 0.0;    ///< speed to add to the orbit's, so that the next step can catch the DCM [m/s]
+  double orbit_ahead = 0.0;   ///< how far the orbit has the COM ahead of a motion with constant velocity now [m]
+  double zmp_ahead =
+      kNaN;  ///< the same along the x axis of M where steps fit known ground; NaN: the tracker says it [m]
   double zmp_lateral = 0.0;      ///< reference ZMP, from `origin` along the y axis of M [m]
   Vec2 zmp_rest = Vec2::Zero();  ///< reference ZMP of a robot at rest, W [m]
   double w_T = kNaN;             ///< w(T) of eq. 18, H, in double support before the switch [m/s]; else NaN
@@ -66,8 +71,11 @@ struct GaitOutput {
   Foothold foothold;  ///< where the swing foot is to land, W; NaN in double support
   double stretch =
       0.0;  ///< largest distance along the ground of an ankle from below its hip, around this double support or the next [m]
-  bool off_time = false;     ///< the swing foot has met the ground off its planned time, in this cycle
-  SwingTarget swing_target;  ///< desired motion of the swing sole; it has a meaning in single support only
+  bool off_time = false;           ///< the swing foot has met the ground off its planned time, in this cycle
+  bool known = false;              ///< the ground is known; what follows has a meaning only then
+  std::array<SolePlace, 2> under;  ///< the known ground under each foot that stands
+  SolePlace place;                 ///< and where the next foot lands: in double support, where it is expected to
+  SwingTarget swing_target;        ///< desired motion of the swing sole; it has a meaning in single support only
 };
 
 /// Reference ZMP of the smooth law for the COM state `com`, `dcom`, W (2,) [m].
@@ -99,6 +107,8 @@ class GaitGenerator {
   void reset(const GaitInput& start, const LinearInvertedPendulum& pendulum);
   /// Takes the pendulum of a COM that has come to another height.
   void set_pendulum(const LinearInvertedPendulum& pendulum) { pendulum_ = pendulum; }
+  /// From the next reset on the robot walks on `ground`, which must outlive the gait; null: nothing is known of the ground.
+  void know(const KnownGround* ground) { ground_ = ground; }
   /// Commands a velocity (v_x, v_y, w_z) in H: from the next cycle on the plan goes towards it, whatever the profile says. Allocates nothing.
   void command(const Vec3& velocity);
   /// Lets the phase of the last cycle end `remaining` [s] after that cycle, whatever pushes the robot. The swing foot goes on without a jump. A robot
@@ -128,6 +138,15 @@ class GaitGenerator {
   void move_sideways(const GaitInput& in);
   ZmpBounds room(const GaitInput& in, const std::array<ZmpBounds, 2>& bounds, const ZmpBounds& support) const;
   ZmpBounds sole_room(const Vec3& velocity) const;  // of the support foot alone
+  // What follows is for known ground (known_steps.cpp).
+  void look_at_ground(const GaitInput& in);  // where a step begins
+  void fit_plan(const GaitInput& in);        // the velocity to what the ground allows
+  void meet_place(const GaitInput& in, double time);
+  /// Speed with which the next steps meet good places, `wanted` where they do so by themselves; notes the first of them.
+  double fitting_speed(const GaitInput& in, double wanted);
+  double misfit(const GaitInput& in, double speed, double wanted, bool& plane, std::array<SolePlace, 2>& first) const;
+  void steer(double t, const Vec3& target);
+  SwingShape clearing_shape(const GaitInput& in, double duration) const;
   // What follows is for a robot that has been pushed (recovery.cpp); a walk that nothing pushes keeps its times and bounds, whatever is commanded.
   void feel_pushes(const GaitInput& in);
   void recover(const GaitInput& in);
@@ -213,6 +232,15 @@ class GaitGenerator {
   Swing swing_ = Swing::kLifting;
   std::array<bool, 2> felt_{false, false};  // whether the contact of each foot has been measured in this walk
   double period_ = 0.0;                     // period of the step after this one [s]
+  const KnownGround* ground_ = nullptr;
+  SoleSize sole_;
+  bool fits_ = false;     // steps fit the ground ahead, which is not one plane
+  double after_ = 0.0;    // length of the step after the next one, along the path [m]
+  bool shaped_ = false;   // the swing clears ground that is not level
+  bool slowed_ = false;   // where feet slip
+  bool told_ = false;     // a velocity has been commanded
+  bool steered_ = false;  // the plan goes with a speed that fits, and not by the profile
+  Vec3 wanted_, steered_to_;
   Vec3 command_, allowance_;
   bool commanded_ = false;
   double t_command_ = 0.0;

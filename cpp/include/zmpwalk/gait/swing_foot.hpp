@@ -16,6 +16,16 @@ struct SwingTarget {
   Vec3 alpha = Vec3::Zero();  ///< [rad/s^2]
 };
 
+/// How a swing is shaped to clear known ground. Shares are of the duration of the single support.
+struct SwingShape {
+  double top = kNaN;         ///< height of the top, W [m]; NaN: `height` over the higher end
+  double rise = kNaN;        ///< share after which the foot is at the top; NaN: by the way up and down
+  double starts = 0.0;       ///< share until which it only rises
+  double arrives = 1.0;      ///< share from which on it is over its place
+  Vec2 tilt = Vec2::Zero();  ///< roll and pitch with which it lands, about the axes of its heading [rad]
+  bool tilts = false;        ///< it turns from the tilt that it lifts off with to that; else it swings level
+};
+
 /// The time that a motion keeps while it is hurried or held back: its own time runs at rate 1 until a new end is set, then, within a
 /// blend, at the rate that reaches its end then. Rate and acceleration of the own time never jump.
 class OwnTime {
@@ -50,6 +60,10 @@ class SwingFoot {
   /// @param steep     the foot rises before it goes ahead, and is over its place before it comes down
   void begin(const Vec3& p, const Mat3& R, double duration, double z_land, double height, double speed = 0.0,
              bool steep = false);
+  /// The same along known ground, which `shape` clears.
+  void begin(const Vec3& p, const Mat3& R, double duration, double z_land, const SwingShape& shape, double speed);
+  /// The place of landing has moved to another height `z_land` [m] of known ground: from the next `update` on the foot goes there.
+  void land_at(double z_land) { z_moved_ = z_land; }
   /// From the next `update` on, at `t` [s] since lift-off, the foot is to land `left` [s] > 0 later.
   void replan(double t, double left) { time_.retime(t, left); }
   /// The foot met no ground: from the next `update` on, at `t` [s], it goes on down for `time` [s], ever slower.
@@ -64,6 +78,8 @@ class SwingFoot {
 
  private:
   Motion1 height(const Motion1& own) const;  // of the splines, in own time
+  void fly(const Vec3& p, const Mat3& R, double duration, double z_land, double top, double rise, double speed);
+  void tilt(const Motion1& own, const Motion1& yaw);
 
   OwnTime time_;
   double duration_ = 0.0, z_land_ = 0.0;  // in own time
@@ -73,7 +89,10 @@ class SwingFoot {
   std::array<Motion1, 3> next_;  // of the splines in x, y, yaw, in the cycle to come, by own time
   // A foot that met no ground goes on from `since_` until `sunk_`, along cubics in x, y, yaw, z, and with what is left of the
   // accelerations `beside_` that it had beside theirs.
-  bool sinks_ = false, steep_ = false;
+  bool sinks_ = false, tilts_ = false;
+  double starts_ = 0.0, arrives_ = 1.0;  // as in the shape, of the duration
+  double z_moved_ = 0.0;                 // height of the place of landing now
+  Vec2 from_tilt_ = Vec2::Zero(), to_tilt_ = Vec2::Zero();
   double since_ = 0.0, sunk_ = 0.0;
   std::array<Cubic, 4> sinking_;
   std::array<double, 4> beside_{};

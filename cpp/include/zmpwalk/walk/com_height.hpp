@@ -23,7 +23,9 @@ class ComHeight {
   ///
   /// @param stretch  distance, along the ground, of an ankle from below its hip that the present step needs [m]
   /// @param ahead    how long before the plan asks for a speed the COM begins to come down for it [s]
-  bool update(double t, double stretch, const VelocityProfile& plan, const LegReach& reach, double ahead);
+  /// @param lift     how much further up the hip is there than on level ground [m]
+  bool update(double t, double stretch, const VelocityProfile& plan, const LegReach& reach, double ahead,
+              double lift = 0.0);
 
   /// Puts the pendulum under `gravity` [m/s^2] > 0 from now on (`forced_pendulum`). Returns whether that has changed.
   bool weigh(double gravity);

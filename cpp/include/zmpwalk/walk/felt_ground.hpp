@@ -3,6 +3,7 @@
 #include "zmpwalk/control/dynamics.hpp"
 #include "zmpwalk/gait/gait_generator.hpp"
 #include "zmpwalk/settings/settings.hpp"
+#include "zmpwalk/walk/height_plan.hpp"
 
 namespace zmpwalk {
 
@@ -19,8 +20,9 @@ class FeltGround {
 
   /// The walk starts anew on even ground whose height in W is `height` [m].
   void reset(double height);
-  /// Goes on by one cycle, from what the gait has decided in it.
-  void update(const GaitOutput& gait, const Dynamics& dynamics);
+  /// Goes on by one cycle, from what the gait has decided in it. On known ground what is felt counts from there, and the height is that of `HeightPlan` and
+  /// what is felt beyond it. @param period of the steps [s]
+  void update(const GaitOutput& gait, const Dynamics& dynamics, double period);
 
   /// Shift of the reference ZMP against the rotation of a stance sole that rocks on an edge of uneven ground, W (2,) [m]:
   /// -D (w_y, -w_x), with the angular velocity w of the sole in W. Beside an edge the torque would turn the sole faster and faster, and the impacts
@@ -28,13 +30,15 @@ class FeltGround {
   Vec2 steadying(const GaitOutput& gait, const Dynamics& dynamics) const;
 
   bool uneven() const { return uneven_; }
-  double height() const { return start_ + h_; }  ///< of the ground that is followed, W [m]
-  double rise() const { return h_; }             ///< since the start [m]
-  double drise() const { return dh_; }           ///< [m/s]
-  double ddrise() const { return ddh_; }         ///< [m/s^2]
+  double height() const { return start_ + rise(); }        ///< of the ground that is followed, W [m]
+  double felt() const { return h_; }                       ///< beyond known ground [m]
+  double rise() const { return plan_.rise() + h_; }        ///< since the start [m]
+  double drise() const { return plan_.drise() + dh_; }     ///< [m/s]
+  double ddrise() const { return plan_.ddrise() + ddh_; }  ///< [m/s^2]
 
  private:
   SoleSize sole_;
+  HeightPlan plan_;
   bool feels_;
   double dt_, higher_, lower_, time_, calm_time_, damping_;
   double start_ = 0.0;

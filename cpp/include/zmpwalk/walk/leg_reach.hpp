@@ -25,7 +25,8 @@ class LegReach {
   /// cadence's for that velocity.
   double stride(const Vec3& velocity) const;
   /// How far the COM has to come down for a stride [m] -> [m], at most `crouch_limit`.
-  double crouch_for(double stride) const;
+  /// @param lift  how much further up than on level ground the hip is from the lower foot [m]
+  double crouch_for(double stride, double lift = 0.0) const;
 
   /// Share of the reach that walking with `velocity` uses. At 1 a knee is as straight as `least_knee` allows, or a hip is turned to its limit.
   double share(const Vec3& velocity) const;

@@ -57,6 +57,7 @@ struct CycleOutput {
   Vec3 disturbance = Vec3::Zero(), attitude_bias = Vec3::Zero();
   double ground = kNaN;
   bool uneven = false;
+  double friction = kNaN;
   double torque_ratio = 0.0;
   bool saturated = false, damped = false;
   ActiveLimits limits;
@@ -178,6 +179,8 @@ void visit_columns(Visitor&& v) {
     "Height of the ground that the walk follows: that of the soles at the start until the ground is felt to be "
     "uneven.");
   v("uneven", &Out::uneven, kOne, "", "", "Whether the ground has been felt to be uneven.");
+  v("friction", &Out::friction, kOne, "", "",
+    "Friction that the feet are believed to have; it falls where a foot slips, and recovers slowly.");
   v("torque_ratio", &Out::torque_ratio, kOne, "", "",
     "Largest ratio of a joint's torque to its limit, before limits are kept or torques cut.");
   v("saturated", &Out::saturated, kOne, "", "",

@@ -29,6 +29,7 @@
 #include "zmpwalk/walk/fall_prediction.hpp"
 #include "zmpwalk/walk/fall_watch.hpp"
 #include "zmpwalk/walk/felt_ground.hpp"
+#include "zmpwalk/walk/grip.hpp"
 #include "zmpwalk/walk/leg_reach.hpp"
 #include "zmpwalk/walk/observer.hpp"
 #include "zmpwalk/walk/record.hpp"
@@ -83,6 +84,11 @@ class WalkingController {
   /// (`command_limit().within`), and the robot takes it up no faster than `forward_acceleration` and the other settings of the group `rate` allow.
   /// @param velocity (v_x, v_y, w_z) in the heading frame H [m/s, m/s, rad/s]. @throws InputError  it is not finite
   void command(const Vec3& velocity);
+
+  /// Tells the ground that the robot walks on; it counts from the next `reset` on, which throws InputError where the robot does not stand on it. Heights
+  /// count from those of the soles there. A `KnownGround` that is empty takes back what was told. Call it between cycles.
+  void know(const KnownGround& ground);
+  const KnownGround& ground() const { return told_; }
 
   /// Lets joints outside the legs, and the trunk, follow `motion` from the last cycle on (`BodyMotion::follow`). `reset` begins the motion anew.
   /// Call it between cycles. @throws as `BodyMotion::follow`; nothing is changed then
@@ -140,6 +146,7 @@ class WalkingController {
   void require_startable() const;
   double start_excursion(double scale) const;  // of the COM from the first stance foot, for the plan times `scale` [m]
   void require_external(const std::vector<ExternalWrench>& external) const;
+  void stand_on_known_ground();
   void start();  // a walk begins with the dynamics of this instant
   double elapsed(double time) const { return clock_.cycles() ? time - out_.t : clock_.since_start(time); }
   void feel(const MeasuredContact& contact);  // where the state does not know better
@@ -155,6 +162,7 @@ class WalkingController {
   /// What the observer makes up for that has not lasted yet, W (2,) [m/s^2].
   Vec2 recent_force() const;
   Vec2 horizontal_force(const Dynamics& dyn, const std::array<bool, 2>& standing) const;
+  void feel_grip(const GaitOutput& gait);
   void limit_torque(const GaitOutput& gait);
   void cut_torque(const GaitOutput& gait);
   void note(const Cycle& cycle);  // into the output
@@ -168,6 +176,8 @@ class WalkingController {
   std::array<ZmpBounds, 2> bounds_, whole_;  // usual, and when pushed
   ComHeight height_;
   FeltGround ground_;
+  Grip grip_;
+  KnownGround told_, known_;  // by the user, and as the walk has it
   GaitGenerator gait_;
   LegReach reach_;
   CommandLimit command_limit_;
