@@ -118,10 +118,10 @@ def test_a_patch_of_ice_under_one_foot_is_felt_and_walked():
     ]
     _, description = zmpwalk.load_robot("mahru")
     slippery = (Terrain("ice", ground).model("mahru"), description)
-    trace = zmpwalk.simulate(profile=0.15, duration=9.0, simulated=slippery)
+    trace = zmpwalk.simulate(profile=0.15, duration=9.0, simulated=slippery, settings={"feel_slip": True})
     assert not trace.meta["fell"] and trace.com[-1, 0] > 1.0
     assert trace.friction.min() < 0.12 and trace.friction[0] == 1.0
 
 
 def test_a_quiet_walk_feels_no_slip():
-    assert (zmpwalk.simulate(profile=0.25, duration=4.0).friction == 1.0).all()
+    assert (zmpwalk.simulate(profile=0.25, duration=4.0, settings={"feel_slip": True}).friction == 1.0).all()

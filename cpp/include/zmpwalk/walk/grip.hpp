@@ -13,7 +13,8 @@ namespace zmpwalk {
 ///
 /// A sole slips whose corners have moved along the ground faster than quiet walks turn them, for more than a small way. Then the friction under that
 /// foot is no more than what the torque asked of it, |F_xy| / F_z, and falls on while it slips. It recovers slowly. While it is low, the
-/// plan slows down. Where no foot slips, nothing is changed.
+/// plan slows down. Where no foot slips, nothing is changed; nor is it where the friction that is believed explains that a sole moves, since most of it
+/// was asked for. Works with `limits.feel_slip`.
 class Grip {
  public:
   /// @param sole of either foot   @param z_c height of the COM over the soles [m]   @param gravity [m/s^2]   @param friction that is believed at first
@@ -30,6 +31,7 @@ class Grip {
   double pace() const { return pace_; }
 
  private:
+  bool on_;
   double dt_, radius_, slow_, way_, fall_, recover_, start_;
   std::array<double, 2> friction_, slipped_{};
   double pace_ = 1.0;
