@@ -495,8 +495,8 @@ struct LimitsSettings {
     v(g.feel_slip, "feel_slip", "feel_slip", "", must_be::kAnything, {},
       "Whether a sole that moves along the ground while it carries alone lowers the friction that is believed, and "
       "with "
-      "it the planned speed. It makes a walk over ice possible. It is off by default, since soles that the swing leg's "
-      "yaw moment turns, as those of a fast Unitree G1, can look the same.");
+      "it the planned speed. With true the robot walks over ice; but soles that the swing leg's yaw moment turns, as "
+      "those of a fast Unitree G1, can look the same.");
     v(g.twist, "twist", "twist_share", "", must_be::kPositive, {},
       "Moment about the vertical that a sole may give, as a share of what its friction holds while it turns about its "
       "centre. With more than 1 the foot turns a little where it must.");
