@@ -189,6 +189,12 @@ def odd_bytes(chance: random.Random, raw: bytes) -> bytes:
     return bytes(out)
 
 
+def as_bytes(chance: random.Random, text: str, spoiled: float = 0.0) -> bytes:
+    """The text as a file holds it, `spoiled` that often by odd bytes."""
+    raw = text.encode("utf-8", "surrogatepass")
+    return odd_bytes(chance, raw) if chance.random() < spoiled else raw
+
+
 # --- what inputs are made from, and are tried on
 
 MODEL: Any
@@ -332,8 +338,7 @@ class Csv(Door):
         text = odd_text(
             chance, "\n".join(rows) + "\n", [",", ",,", "\n", "\r", '"', "t,vx", "#", ";", "nan", "-1", "1e99"]
         )
-        raw = text.encode("utf-8", "surrogatepass")
-        return odd_bytes(chance, raw) if chance.random() < 0.2 else raw
+        return as_bytes(chance, text, spoiled=0.2)
 
     def enter(self, given: bytes, chance: random.Random) -> None:
         path = PLACE / "v.csv"
@@ -359,7 +364,7 @@ class Motion(Door):
         rows = ["t," + ",".join(joints)]
         rows += [",".join([f"{k}"] + [f"{-0.1 * k}" for _ in joints]) for k in range(4)]
         text = odd_text(chance, "\n".join(rows) + "\n", [",", "\n", '"', "l_elbow", "root", "nan", "-1"])
-        return text.encode("utf-8", "surrogatepass")
+        return as_bytes(chance, text)
 
     def enter(self, given: bytes, chance: random.Random) -> None:
         path = PLACE / "m.csv"
@@ -389,8 +394,7 @@ class Toml(Door):
         text = odd_text(
             chance, part, ["[", "]", "=", '"', "true", "{a=1}", "[1,2]", "1979-05-27", "# x", "law = 'paper'"]
         )
-        raw = text.encode("utf-8", "surrogatepass")
-        return odd_bytes(chance, raw) if chance.random() < 0.1 else raw
+        return as_bytes(chance, text, spoiled=0.1)
 
     def enter(self, given: bytes, chance: random.Random) -> None:
         path = PLACE / "s.toml"

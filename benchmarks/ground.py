@@ -3,7 +3,8 @@
 `python benchmarks/ground.py --page docs/ground.md`.
 
 Each row of the table walks at 0.25 m/s over one kind of ground in all its seeds, azimuths or places. Folders may
-follow, each with a `robot.json` whose robot walks slopes of 3° at Froude number 0.055. `--page` writes that page's part
+follow, each with a `robot.json` whose robot walks slopes of 3° and blocks of
+2 % of its COM's height at Froude number 0.055. `--page` writes that page's part
 for this MuJoCo. All of it takes four minutes on two cores.
 """
 
@@ -36,10 +37,25 @@ def rows(blocks, plates):
     yield "blocks of up to 1 cm, friction 0.3", runs(30, ["blocks:1,0", "blocks:1,1"], **slippery)
     yield "soft ground, time constant 0.02 s", runs(30, ["soft:0.02"])
     yield "waves of 1 m that rise 3 cm", runs(30, ["waves:3"])
+    for feet in ("one foot", "both feet"):
+        for friction in (0.1,) if feet == "one foot" else (0.1, 0.15):
+            patches = [ice(0.5 + 0.035 * i, friction, feet) for i in range(9)]
+            yield f"0.5 m of ice, friction {friction}, under {feet}, 9 places, 0.15 m/s", runs(10, patches, 0.15)
     stairs = [shifted("stairs:12x28", 0.028 * i) for i in range(10)]
     yield "known: stairs of 12 × 28 cm up and down, 10 starts", runs(22, stairs, known=True)
     slopes = [f"slope:15,{a}" for a in AZIMUTHS]
     yield "known: slopes of 15°, 8 azimuths", runs(30, slopes, known=True)
+
+
+def ice(begin, friction, feet):
+    """Slippery ground from `begin` on for half a metre, under the left foot or both [m]."""
+    everywhere, patch = (-20.0, 20.0), (begin, begin + 0.5)
+    patches = [zmpwalk.Patch((-3.0, begin), everywhere), zmpwalk.Patch((patch[1], 40.0), everywhere)]
+    if feet == "one foot":
+        patches += [zmpwalk.Patch(patch, (0.0, 20.0), friction=friction), zmpwalk.Patch(patch, (-20.0, 0.0))]
+    else:
+        patches.append(zmpwalk.Patch(patch, everywhere, friction=friction))
+    return zmpwalk.Terrain(f"ice:{begin:g}", patches)
 
 
 def shifted(terrain, by):
@@ -55,13 +71,16 @@ def runs(duration, terrains, profile=SPEED, **more):
 
 
 def others(folders):
-    """The same of other robots: slopes of 3°."""
+    """The same of other robots: slopes of 3°, and blocks of 2 % of the COM's height."""
     for folder in folders:
         robot = str(folder / "robot.json")
         still = zmpwalk.WalkingController(*zmpwalk.load_robot(robot), profile=0.0)
         speed = round(FROUDE * math.sqrt(9.81 * still.com_height), 3)
-        walks = runs(20, [f"slope:3,{a}" for a in AZIMUTHS], profile=speed, robot=robot)
-        yield f"{still.description.name}, slopes of 3°, 8 azimuths, {speed:g} m/s", walks
+        walk = {"profile": zmpwalk.VelocityProfile.ramp(0.0, speed, 2.0), "robot": robot}
+        name = f"{still.description.name}, {speed:g} m/s"
+        yield f"{name}, slopes of 3°, 8 azimuths", runs(20, [f"slope:3,{a}" for a in AZIMUTHS], **walk)
+        cm = round(2.0 * still.com_height, 1)
+        yield f"{name}, blocks of up to {cm:g} cm, by seed", runs(20, [f"blocks:{cm:g},{i}" for i in range(8)], **walk)
 
 
 def line(what, walks):

@@ -342,12 +342,13 @@ def simulate(
         `zmpwalk.simulate(profile=0.25, terrain="blocks:1", duration=30)`
         `zmpwalk.simulate(profile=0.25, terrain="stairs:12x28", known=True, duration=20)`
     """
-    model, description = load_scene(robot, terrain, source)
+    model, description = load_scene(robot, _as_seen(terrain), source)
     knows = known_of(known, ground, terrain)
     controller = WalkingController(model, description, settings, profile, source, knows)
     controller.move(motion)
     for task in tasks:
         controller.add(task)
+    simulated = _simulated(robot, terrain, simulated)
     outside = Outside.of(controller, seed, push, on_fall, uncertainty, simulated, terrain)
     return run(controller, duration, on_progress, seed, name_of(robot), command, outside=outside)
 
@@ -390,7 +391,7 @@ def simulate_batch(
         robot, terrain = given.get("robot", "mahru"), given.get("terrain")
         key = tuple(each if isinstance(each, (str, os.PathLike)) else id(each) for each in (robot, terrain))
         if key not in robots:
-            robots[key] = load_scene(robot, terrain, given.get("source"))
+            robots[key] = load_scene(robot, _as_seen(terrain), given.get("source"))
         knows = known_of(given.get("known", False), given.get("ground"), terrain)
         controller = WalkingController(
             *robots[key], given.get("settings"), given.get("profile"), given.get("source"), knows
@@ -401,7 +402,7 @@ def simulate_batch(
         duration, seed = check_duration(given.get("duration", 8.0), controller), _check_seed(given.get("seed", 0))
         outside = Outside.of(
             controller, seed, given.get("push", ()), given.get("on_fall", "stop"), given.get("uncertainty"),
-            given.get("simulated"), terrain,
+            _simulated(robot, terrain, given.get("simulated")), terrain,
         )  # fmt: skip
         outside.simulation(controller)  # what is wrong with it is said before the first walk begins
         jobs.append((controller, duration, seed, name_of(robot), given.get("command"), outside))
@@ -552,6 +553,17 @@ class Outside:
             "terrain": self.terrain,
             "simulated_given": self.given,
         }
+
+
+def _as_seen(terrain: TerrainLike | None) -> TerrainLike | None:
+    """The ground as the controller's model has it: how slippery its patches are has to be felt."""
+    return None if terrain is None else Terrain.of(terrain).as_floor()
+
+
+def _simulated(robot: Robot, terrain: TerrainLike | None, simulated: Robot | None) -> Robot | None:
+    """The robot that is simulated; None where it is the controller's, on ground that is as the controller's."""
+    hidden = terrain is not None and any(each.friction is not None for each in Terrain.of(terrain).patches)
+    return robot if simulated is None and hidden else simulated
 
 
 def _velocity(v: float | Sequence[float] | None) -> np.ndarray | None:

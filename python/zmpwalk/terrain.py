@@ -35,7 +35,8 @@ class Patch(NamedTuple):
 
     `x` and `y` are its ranges [m], `height` is the height of its middle over the floor [m], and `rise` is how much
     higher it becomes per metre along x and along y. `friction` is that of the patch, whatever the soles have; None is
-    as the floor. A controller that is given the model of this ground takes its least friction: give it as `simulated`.
+    as the floor. `terrain=` of `simulate` tells the controller nothing of it; one that is given the model of this
+    ground takes its least friction.
     """
 
     x: tuple[float, float]
@@ -212,6 +213,13 @@ class Terrain:
             if p.x[0] <= x < p.x[1] and p.y[0] <= y < p.y[1]
         ]
         return max(tops, default=math.nan)
+
+    def as_floor(self) -> Terrain:
+        """The same ground, all of it as slippery as the floor.
+
+        Usage: `Terrain.of("blocks:2").as_floor()`
+        """
+        return Terrain(self.text, [each._replace(friction=None) for each in self.patches], self.solref)
 
     def model(self, robot: str | os.PathLike) -> mujoco.MjModel:
         """The robot's scene with this ground in place of its floor.

@@ -65,3 +65,16 @@ def test_ground_that_stays_level_counts_as_even_again():
 
 def test_by_time_alone_the_same_slope_is_not_walked():
     assert walk("slope:5", settings={"touch_down": "time"}).meta["fell"]
+
+
+@pytest.mark.parametrize(("robot", "speed"), [("robotis_op3", 0.086), ("unitree_g1", 0.141)])
+def test_strangers_walk_a_slope_and_blocks_that_their_feet_find(robot, speed, test_robots):
+    path = test_robots / robot / "robot.json"
+    leg = {"robotis_op3": 25, "unitree_g1": 67}[robot]  # [cm]
+    runs = [
+        {"robot": path, "profile": speed, "duration": 12.0, "terrain": terrain}
+        for terrain in ("slope:3,0", "slope:3,180", f"blocks:{0.02 * leg:g},0")
+    ]
+    traces = zmpwalk.simulate_batch(runs)
+    assert [trace.meta["terrain"] for trace in traces if trace.meta["fell"]] == []
+    assert all(trace.uneven.any() for trace in traces)

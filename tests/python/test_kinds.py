@@ -16,30 +16,15 @@ import mujoco
 import numpy as np
 import pytest
 import zmpwalk
+from mahru_text import TEXT, bare, edited
 from zmpwalk import ModelError, analysis, cli
-from zmpwalk.robots import examine, robot_file
+from zmpwalk.robots import examine
 from zmpwalk.shortfalls import shortfalls
 from zmpwalk.tryout import try_out
 
-TEXT = robot_file("mahru").read_text()
 BOX = '<geom type="box" size="0.125 0.07 0.015" pos="0.02 0 -0.075"/>'
 FLOOR = '<geom name="floor" type="plane" size="0 0 0.05" material="floor"/>'
 ROLL = '<joint class="hip_roll" name="l_hip_roll"/>'
-
-
-def edited(*pairs):
-    """The bundled robot's MJCF, each (old, new) replaced."""
-    text = TEXT
-    for old, new in pairs:
-        assert old in text
-        text = text.replace(old, new)
-    return text
-
-
-def bare(text):
-    """Without marks at the soles and without keyframes, as a stranger's file."""
-    text = re.sub(r'<site[^>]*_sole"[^>]*/>', "", text)
-    return re.sub(r"<keyframe>.*?</keyframe>", "", text, flags=re.DOTALL)
 
 
 @pytest.fixture

@@ -8,26 +8,12 @@ from pathlib import Path
 import mujoco
 import pytest
 import zmpwalk
+from mahru_text import TEXT, bare, edited
 from zmpwalk import ModelError, _core, cli
-from zmpwalk.robots import ROBOTS, description_from_dict, description_to_dict
+from zmpwalk.robots import description_from_dict, description_to_dict
 
-TEXT = (ROBOTS / "mahru.xml").read_text()
 CPP = Path(__file__).parents[2] / "cpp"
 PYTHON = Path(__file__).parents[2] / "python"
-
-
-def edited(*changes):
-    text = TEXT
-    for old, new in changes:
-        assert old in text
-        text = text.replace(old, new)
-    return text
-
-
-def bare(text):
-    """Without sole sites and keyframe: its feet have to be found."""
-    text = re.sub(r'<site[^>]*_sole"[^>]*/>', "", text)
-    return re.sub(r"<keyframe>.*?</keyframe>", "", text, flags=re.DOTALL)
 
 
 def add(section):

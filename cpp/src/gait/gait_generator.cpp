@@ -19,7 +19,9 @@ constexpr double kAlways = 0.1;
 constexpr double kOffTime =
     0.072;                     // a foot that touches the ground this long before its time has met it off its time [T_c]
 constexpr double kLift = 1.7;  // how much higher a foot is lifted on uneven ground
-constexpr double kSoft = 0.4;  // time constant with which the tracked speed yields there [T_c]
+constexpr double kAgree = 0.03;  // by how much the slopes under both soles may differ, for the ground to slope so
+constexpr double kGoesOn = 0.5;  // share of the way to the foothold along which such a slope is taken to go on
+constexpr double kSoft = 0.4;    // time constant with which the tracked speed yields there [T_c]
 
 Side first_swing(const WalkSettings& settings) { return settings.gait.first_swing; }
 
@@ -245,6 +247,16 @@ const GaitOutput& GaitGenerator::update(const GaitInput& in) {
   return out_;
 }
 
+Vec2 GaitGenerator::felt_slope(const GaitInput& in) const {
+  std::array<Vec2, 2> rise;
+  for (const Side side : kSides) {
+    const Vec3 up = in.R_sole[side].col(2);
+    rise[side] = -up.head<2>() / up.z();
+  }
+  const auto& [left, right] = rise;
+  return (left - right).norm() < kAgree ? Vec2(0.5 * (left + right)) : Vec2::Zero();
+}
+
 void GaitGenerator::move_swing_foot(const GaitInput& in) {
   const double t = out_.phase.time, duration = out_.phase.duration;
   if (began_ == Began::kSingleSupport) {
@@ -252,13 +264,18 @@ void GaitGenerator::move_swing_foot(const GaitInput& in) {
     const bool feels = in.uneven || settings_.gait.touch_down == TouchDown::kContact;
     const double height = (in.uneven ? kLift : 1.0) * settings_.swing.height;
     const double speed = feels ? settings_.gait.touch_down_speed : 0.0;
-    const SwingShape shape = ground_ ? clearing_shape(in, duration) : SwingShape{};
+    const SwingShape shape = ground_ ? clearing_shape(in) : SwingShape{};
     shaped_ = !std::isnan(shape.top);
-    if (!shaped_)
-      swing_foot_.begin(in.p_sole[out_.swing], in.R_sole[out_.swing], duration, z_land, height, speed, in.uneven);
-    else
+    if (!shaped_) {
+      const Vec2 slope = in.uneven ? felt_slope(in) : Vec2::Zero();
+      const double rise = kGoesOn * slope.dot(out_.foothold.p - in.p_sole[other(out_.swing)].head<2>());
+      const Vec2 tilt = in.uneven ? tilt_on(slope, out_.foothold.yaw) : Vec2::Constant(kNaN);
+      swing_foot_.begin(in.p_sole[out_.swing], in.R_sole[out_.swing], duration, z_land + rise, height, speed, in.uneven,
+                        tilt);
+    } else {
       swing_foot_.begin(in.p_sole[out_.swing], in.R_sole[out_.swing], duration, out_.place.height + in.felt, shape,
                         speed);
+    }
   } else if (swing_ != Swing::kOverdue && duration != swing_foot_.duration()) {
     swing_foot_.replan(t, duration - t);
   }

@@ -96,12 +96,12 @@ void GaitGenerator::fit_plan(const GaitInput& in) {
   Vec3 wanted = told_ ? wanted_ : profile_.velocity(in.t);
   slowed_ = in.pace < 1.0;
   if (slowed_) wanted *= in.pace;
-  Vec3 target = wanted;
-  if (ground_) target.x() = fitting_speed(in, wanted.x());
-  if (!steered_ && !slowed_ && target == wanted) return;
-  if (!steered_ || target != steered_to_) steer(in.t, target);
+  const double fits = ground_ ? fitting_speed(in, wanted.x()) : wanted.x();
+  if (!steered_ && !slowed_ && fits == wanted.x()) return;
+  wanted.x() = fits;
+  if (!steered_ || wanted != steered_to_) steer(in.t, wanted);
   steered_ = true;
-  steered_to_ = target;
+  steered_to_ = wanted;
 }
 
 void GaitGenerator::meet_place(const GaitInput& in, double time) {
@@ -119,8 +119,7 @@ void GaitGenerator::meet_place(const GaitInput& in, double time) {
   out_.zmp_ahead = pendulum_.reference_to_reach(xi, xi_end, std::max(time, kNear * Tc));
 }
 
-SwingShape GaitGenerator::clearing_shape(const GaitInput& in, double duration) const {
-  (void)duration;
+SwingShape GaitGenerator::clearing_shape(const GaitInput& in) const {
   SwingShape out;
   const Vec3& from = in.p_sole[out_.swing];
   const SolePlace &lifts = out_.under[out_.swing], &lands = out_.place;

@@ -57,10 +57,12 @@ void OwnTime::retime(double t, double left) {
 }
 
 void SwingFoot::begin(const Vec3& p, const Mat3& R, double duration, double z_land, double height, double speed,
-                      bool steep) {
+                      bool steep, const Vec2& tilt) {
   starts_ = steep ? kRises : 0.0;
   arrives_ = steep ? kThere : 1.0;
-  tilts_ = false;
+  tilts_ = !std::isnan(tilt.x());
+  from_tilt_ = {std::atan2(R(2, 1), R(2, 2)), -std::asin(std::clamp(R(2, 0), -1.0, 1.0))};
+  to_tilt_ = tilt;
   fly(p, R, duration, z_land, std::max(p.z(), z_land) + height, kNaN, speed);
 }
 

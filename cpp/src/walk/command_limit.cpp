@@ -49,6 +49,7 @@ class Step {
         reach_(reach),
         sole_(sole),
         bounds_(bounds),
+        middle_(place_with_room({bounds, bounds}, sole.length, 0.0)),
         z_c_(z_c),
         friction_(settings.limits.friction),
         whole_body_(robot.nv(), robot.leg_joints()),
@@ -74,9 +75,7 @@ class Step {
     const LinearInvertedPendulum pendulum(height, gravity);
     const double Tc = pendulum.Tc(), W = settings_.steps.width;
     const double pace = std::pow(cadence_.pace(v), settings_.zmp.sole_exponent);
-    // As in GaitGenerator: where the COM rides, the ZMP has room ahead and behind.
-    const double middle = place_with_room({bounds_, bounds_}, sole_.length, 0.0);
-    const double roll = pace * std::max(bounds_.upper.x() - middle, middle - bounds_.lower.x());
+    const double roll = pace * std::max(bounds_.upper.x() - middle_, middle_ - bounds_.lower.x());
     const ForwardOrbit orbit(pendulum, v.x(), T, roll);
     const double lift = settings_.swing.height, inset = 0.5 * W / std::cosh(0.5 * T / Tc);
     for (const double at : {-1.0, 0.0, 1.0}) {  // lift-off, middle, landing
@@ -84,7 +83,7 @@ class Step {
       const double t = at * half, turned = v.z() * t;
       const double x = v.x() * t + orbit.ahead(t), y = -inset * std::cosh(t / Tc);
       const Vec2 dcom(orbit.velocity(x), -inset * std::sinh(t / Tc) / Tc);
-      const Vec2 zmp(middle + std::clamp(x - Tc * Tc * orbit.acceleration(x), -roll, roll), 0.0);
+      const Vec2 zmp(middle_ + std::clamp(x - Tc * Tc * orbit.acceleration(x), -roll, roll), 0.0);
       out.take(std::abs(v.z()) * T / kTurn, SpeedLimit::kReach);
       // The foot in the air goes by cubic splines, from rest to rest; on a curve it stands turned by w_z T where it leaves and where it lands.
       const double T_ss = times.T_ss, yaw = at * v.z() * T;
@@ -96,7 +95,7 @@ class Step {
       acceleration << -6.0 * at / (T_ss * T_ss) * way.head<2>(), 6.0 * lift / (half * half), 0, 0,
           -6.0 * at / (T_ss * T_ss) * way.z();
       if (at == 0.0) acceleration.z() *= -1.0;
-      if (!pose({middle + x, y, height}, dcom, place, velocity, {turned, yaw, v.z()}) || !in_range()) {
+      if (!pose({middle_ + x, y, height}, dcom, place, velocity, {turned, yaw, v.z()}) || !in_range()) {
         out.take(2.0, SpeedLimit::kReach);
         continue;
       }
@@ -232,6 +231,7 @@ class Step {
   const LegReach& reach_;
   SoleSize sole_;
   ZmpBounds bounds_;
+  double middle_;  // over which the COM rides, as in GaitGenerator: the ZMP has room ahead and behind [m]
   double z_c_, friction_;
   WholeBodyController whole_body_;
   WholeBodyResult result_;

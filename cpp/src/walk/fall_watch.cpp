@@ -12,8 +12,8 @@ void FallWatch::reset(const Mat3& R_HB, double com_height) {
   com_height_ = com_height;
 }
 
-Fall FallWatch::check(const Dynamics& dyn) const {
-  const double height = dyn.com.z() - std::max(dyn.sole[kLeft].p_WF.z(), dyn.sole[kRight].p_WF.z());
+Fall FallWatch::check(const Dynamics& dyn, double floor) const {
+  const double height = dyn.com.z() - floor;
   const double tilt = std::acos(std::clamp((dyn.R_WB * R_HB_.transpose())(2, 2), -1.0, 1.0));
   if (height < height_share_ * com_height_) return Fall::kHeight;
   if (tilt > tilt_) return Fall::kTilt;

@@ -15,13 +15,15 @@ constexpr double kHigher = 0.005;
 constexpr double kLower = 0.010;  // feet with soft contacts sink where they are jumped on
 // ZMP against the rotation of a rocking sole, share of z_c T_c: at half of it soles rock twice as fast.
 constexpr double kSteady = 0.05;
+// The same for the inertia of a foot that turns about its ankle, share of I / (m g T_c): heavy rotors swing further.
+constexpr double kHeavy = 3.2;
 // Times in T_c.
 constexpr double kFollow = 0.36;  // time constant of the height that is followed
 constexpr double kCalm = 18.0;    // so long a ground must stay level to count as even
 
 }  // namespace
 
-FeltGround::FeltGround(const WalkSettings& settings, const SoleSize& sole, double z_c, double Tc)
+FeltGround::FeltGround(const WalkSettings& settings, const SoleSize& sole, double z_c, double Tc, double inertia)
     : sole_(sole),
       plan_(settings.control.dt, Tc),
       feels_(settings.gait.touch_down == TouchDown::kFelt),
@@ -30,7 +32,7 @@ FeltGround::FeltGround(const WalkSettings& settings, const SoleSize& sole, doubl
       lower_(kLower * z_c),
       time_(kFollow * Tc),
       calm_time_(kCalm * Tc),
-      damping_(kSteady * z_c * Tc) {}
+      damping_(kSteady * z_c * Tc + kHeavy * inertia / Tc) {}
 
 void FeltGround::reset(double height) {
   start_ = height;

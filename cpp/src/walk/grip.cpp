@@ -6,17 +6,13 @@
 namespace zmpwalk {
 namespace {
 
-constexpr double kSlow =
-    0.02;  // speed of a corner that is no slip yet: soles that turn reach two thirds of it [sqrt(g z_c)]
-constexpr double kWay = 0.004;  // way beyond that speed from which on a foot has slipped [z_c]
-constexpr double kRocks = 1.0;  // a sole rocks whose corners move up and down this times as fast as along the ground
-constexpr double kExplained =
-    0.3;  // share of the believed friction that was asked, beyond which it explains that a foot moves
-constexpr double kHolds = 0.8;   // share of what was asked that is believed to hold
-constexpr double kLeast = 0.05;  // friction is never believed to be less
-// Times in T_c.
-constexpr double kFalls = 0.4;      // time constant with which it falls while the foot slips
-constexpr double kRecovers = 36.0;  // and with which it recovers
+constexpr double kSlow = 0.02;      // speed that is no slip yet; soles that turn reach two thirds of it [sqrt(g z_c)]
+constexpr double kWay = 0.004;      // way beyond that speed from which on a foot has slipped [z_c]
+constexpr double kCarries = 0.2;    // share of the weight from which on a foot counts as carrying
+constexpr double kExplained = 0.5;  // share of the believed friction; a sole that moves under more has met its limit
+constexpr double kHolds = 0.65;     // share of what was felt that is relied on: edges and turning soles hold less
+constexpr double kLeast = 0.05;     // friction is never believed to be less
+constexpr double kRecovers = 36.0;  // time constant with which it recovers [T_c]
 constexpr double kNeeds = 0.3;      // friction with which a walk goes as it likes
 constexpr double kSlowest = 0.3;    // least share of the planned speed
 
@@ -25,42 +21,47 @@ constexpr double kSlowest = 0.3;    // least share of the planned speed
 Grip::Grip(const WalkSettings& settings, const SoleSize& sole, double z_c, double gravity, double friction)
     : on_(settings.limits.feel_slip),
       dt_(settings.control.dt),
-      radius_(0.5 * std::hypot(sole.length, sole.width)),
+      ahead_(0.5 * sole.length),
+      aside_(0.5 * sole.width),
       slow_(kSlow * std::sqrt(gravity * z_c)),
       way_(kWay * z_c),
-      fall_(kFalls * std::sqrt(z_c / gravity)),
       recover_(kRecovers * std::sqrt(z_c / gravity)),
       start_(friction),
       friction_{friction, friction} {}
 
 void Grip::reset() {
   friction_ = {start_, start_};
-  slipped_ = {};
+  slipped_ = felt_ = {};
   pace_ = 1.0;
 }
 
-bool Grip::update(const GaitOutput& gait, const Dynamics& dynamics, const Vec12& f_c) {
+bool Grip::update(const GaitOutput& gait, const Dynamics& dynamics, const Sensed& felt, const Vec12& f_c) {
   if (!on_) return false;
   const Side side = gait.support;
+  const Vec6 w = felt.wrench[side].allFinite() ? felt.wrench[side] : Vec6(f_c.segment<6>(6 * side));
+  const bool carries = -w[2] > kCarries * dynamics.mass * dynamics.gravity.norm();
+  // Where the force acts: a sole that turns about that point, by its yaw moment or over an edge, does not slip.
+  const Vec2 at = carries ? Vec2(std::clamp(-w[4] / w[2], -ahead_, ahead_), std::clamp(w[3] / w[2], -aside_, aside_))
+                          : Vec2::Zero();
   const Vec6& v = dynamics.sole[side].velocity;
-  const double speed = v.head<2>().norm() + radius_ * std::abs(v[5]);
-  // A sole that rocks moves along the ground too; one that is known to slip may rock as it likes.
-  const bool rocks = friction_[side] == start_ && radius_ * v.segment<2>(3).norm() > kRocks * speed;
-  const Vec6 w = f_c.segment<6>(6 * side);
-  const double asked = w.head<2>().norm() + std::abs(w[5]) / radius_;
-  const bool explained = friction_[side] == start_ && asked > kExplained * start_ * std::abs(w[2]);
-  if (speed > slow_ && !rocks && !explained)
+  const double speed = (v.head<2>() + v[5] * left_of(at)).norm();
+  const double twist = std::abs(w[5] - at.x() * w[1] + at.y() * w[0]) / std::hypot(ahead_, aside_);
+  const double holds = (w.head<2>().norm() + twist) / std::abs(w[2]);
+  const bool explained = friction_[side] == start_ && holds > kExplained * start_;
+  // While a sole slides, friction holds what it can, so that the most of what was felt is what it is.
+  if (carries && speed > slow_ && !explained) {
     slipped_[side] += (speed - slow_) * dt_;
-  else
-    slipped_[side] = 0.0;
-  slipped_[other(side)] = 0.0;
+    felt_[side] = std::max(felt_[side], holds);
+  } else {
+    slipped_[side] = felt_[side] = 0.0;
+  }
+  slipped_[other(side)] = felt_[other(side)] = 0.0;
   const bool slips = slipped_[side] > way_;
   if (!slips && friction_[kLeft] == start_ && friction_[kRight] == start_) return false;
   for (const Side each : kSides) {
     double& mu = friction_[each];
     if (slips && each == side) {
-      mu = std::min(mu, kHolds * w.head<2>().norm() / std::abs(w.z()));
-      mu = std::max(mu * (1.0 - dt_ / fall_), kLeast);
+      mu = std::max(std::min(mu, kHolds * felt_[side]), kLeast);
     } else if (mu < start_) {
       mu += dt_ / recover_ * (start_ - mu);
       if (start_ - mu < 1e-3 * start_) mu = start_;

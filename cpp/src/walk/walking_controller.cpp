@@ -18,6 +18,16 @@ RobotDescription with_limits(RobotDescription description, const std::map<std::s
   return description;
 }
 
+/// Inertia of a foot about its ankle's axes, rotors included, per weight of the robot, I / (m g) [m s^2].
+double foot_inertia(const Robot& robot) {
+  const Dynamics& dyn = robot.dynamics();
+  double most = 0.0;
+  for (const Side side : kSides)
+    for (const int joint : {robot.leg_joints()[side][4], robot.leg_joints()[side][5]})
+      most = std::max(most, dyn.A(6 + joint, 6 + joint));
+  return most / (dyn.mass * dyn.gravity.norm());
+}
+
 /// How much further than on level ground the hip is over the lower foot, half way between a foot and the next one on known ground [m].
 double lift_of(const GaitOutput& gait) {
   if (!gait.known || gait.at_rest) return 0.0;
@@ -69,7 +79,7 @@ WalkingController::WalkingController(const Model& model, const RobotDescription&
       whole_{bounds_of(robot_, kLeft, settings_, whole_fraction(settings_)),
              bounds_of(robot_, kRight, settings_, whole_fraction(settings_))},
       height_(height_over_soles(robot_.dynamics()), robot_.dynamics().gravity.norm(), settings_),
-      ground_(settings_, sole_, height_.z_c(), height_.pendulum().Tc()),
+      ground_(settings_, sole_, height_.z_c(), height_.pendulum().Tc(), foot_inertia(robot_)),
       grip_(settings_, sole_, height_.z_c(), robot_.dynamics().gravity.norm(), settings_.limits.friction),
       gait_(settings_, profile_, sole_, bounds_, whole_),
       reach_(robot_, settings_, gait_.cadence()),
@@ -432,7 +442,7 @@ Vec2 WalkingController::recent_force() const {
 void WalkingController::feel_grip(const GaitOutput& gait) {
   // A sole that rocks on uneven ground moves along it without slipping.
   const bool begins = ground_.uneven() && grip_.pace() == 1.0;
-  if (!begins && grip_.update(gait, robot_.dynamics(), out_.f_c))
+  if (!begins && grip_.update(gait, robot_.dynamics(), state_, out_.f_c))
     for (const Side side : kSides) limits_.set_friction(side, grip_.friction(side));
   out_.friction = grip_.friction();
 }
@@ -584,13 +594,14 @@ void WalkingController::note_body() {
     const Eigen::Quaterniond q(dyn.sole[side].R_WF);
     out_.foot[side] << dyn.sole[side].p_WF, q.w(), q.x(), q.y(), q.z();
   }
+  // Over known ground a foot is lifted onto the next tread, and may stand far over the other one.
+  const double highest = std::max(dyn.sole[kLeft].p_WF.z(), dyn.sole[kRight].p_WF.z());
+  const Fall fall = fall_.check(dyn, gait_.output().known ? ground_.height() : highest);
   if (!out_.tau.allFinite()) {
     out_.fell = Fall::kNonFinite;
     out_.tau.setZero();
-  } else if (const Fall fall = fall_.check(dyn); fall != Fall::kNone) {
-    // Over known ground a foot is lifted onto the next tread, and may stand far over the other one.
-    const bool high = gait_.output().known && dyn.com.z() - ground_.height() >= settings_.fall.height * height_.z_c();
-    if (fall != Fall::kHeight || !high) out_.fell = fall;
+  } else if (fall != Fall::kNone) {
+    out_.fell = fall;
   }
 }
 

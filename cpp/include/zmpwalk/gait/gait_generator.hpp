@@ -146,7 +146,9 @@ class GaitGenerator {
   double fitting_speed(const GaitInput& in, double wanted);
   double misfit(const GaitInput& in, double speed, double wanted, bool& plane, std::array<SolePlace, 2>& first) const;
   void steer(double t, const Vec3& target);
-  SwingShape clearing_shape(const GaitInput& in, double duration) const;
+  /// Slope that both soles feel, rise per way along x and y; zero where they do not agree, as over edges.
+  Vec2 felt_slope(const GaitInput& in) const;
+  SwingShape clearing_shape(const GaitInput& in) const;
   // What follows is for a robot that has been pushed (recovery.cpp); a walk that nothing pushes keeps its times and bounds, whatever is commanded.
   void feel_pushes(const GaitInput& in);
   void recover(const GaitInput& in);

@@ -58,8 +58,9 @@ class SwingFoot {
   /// @param z_land    height at which the sole lands [m]   @param height  of the top over the higher of both ends [m]
   /// @param speed     at which it comes down there [m/s]; in proportion faster where the step is cut short
   /// @param steep     the foot rises before it goes ahead, and is over its place before it comes down
+  /// @param tilt      roll and pitch to which it turns from the tilt that it lifts off with [rad]; NaN: it swings level
   void begin(const Vec3& p, const Mat3& R, double duration, double z_land, double height, double speed = 0.0,
-             bool steep = false);
+             bool steep = false, const Vec2& tilt = Vec2::Constant(kNaN));
   /// The same along known ground, which `shape` clears.
   void begin(const Vec3& p, const Mat3& R, double duration, double z_land, const SwingShape& shape, double speed);
   /// The place of landing has moved to another height `z_land` [m] of known ground: from the next `update` on the foot goes there.

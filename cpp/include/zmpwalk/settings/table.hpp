@@ -480,7 +480,7 @@ struct LimitsSettings {
   static constexpr const char* kMeaning =
       "What a torque must keep to: the joints' torques and ranges, and what the soles can hold.";
 
-  bool keep = true, feel_slip = false;
+  bool keep = true, feel_slip = true;
   double friction = kNaN, twist = 1.0, range_margin = 0.0, range_rate = kNaN;
 
   template <class Self, class Visitor>
@@ -493,10 +493,8 @@ struct LimitsSettings {
       {"that of the soles in the model", defaults::friction},
       "Friction of the soles: tangential force per normal force that they can hold.");
     v(g.feel_slip, "feel_slip", "feel_slip", "", must_be::kAnything, {},
-      "Whether a sole that moves along the ground while it carries alone lowers the friction that is believed, and "
-      "with "
-      "it the planned speed. With true the robot walks over ice; but soles that the swing leg's yaw moment turns, as "
-      "those of a fast Unitree G1, can look the same.");
+      "Whether a sole that slides while it carries lowers the friction that is believed, and with it the planned "
+      "speed, so that the robot walks on over ice. With false a foot that slips is not noticed.");
     v(g.twist, "twist", "twist_share", "", must_be::kPositive, {},
       "Moment about the vertical that a sole may give, as a share of what its friction holds while it turns about its "
       "centre. With more than 1 the foot turns a little where it must.");

@@ -14,8 +14,8 @@ class FallWatch {
   /// The walk starts: as it is now, the trunk counts as upright. `R_HB` is its rotation in the heading frame, `com_height` the height of the COM
   /// over the soles [m].
   void reset(const Mat3& R_HB, double com_height);
-  /// Why the state of this instant counts as a fall; kNone where it does not.
-  Fall check(const Dynamics& dynamics) const;
+  /// Why the state of this instant counts as a fall; kNone where it does not. @param floor  height from which that of the COM counts [m]
+  Fall check(const Dynamics& dynamics, double floor) const;
 
  private:
   double height_share_, tilt_;

@@ -16,7 +16,8 @@ namespace zmpwalk {
 class FeltGround {
  public:
   /// @param settings resolved   @param sole of either foot   @param z_c height of the COM over the soles [m]   @param Tc time constant of the pendulum [s]
-  FeltGround(const WalkSettings& settings, const SoleSize& sole, double z_c, double Tc);
+  /// @param inertia of a foot about its ankle, rotor included, per weight of the robot, I / (m g) [m s^2]
+  FeltGround(const WalkSettings& settings, const SoleSize& sole, double z_c, double Tc, double inertia);
 
   /// The walk starts anew on even ground whose height in W is `height` [m].
   void reset(double height);
@@ -25,7 +26,7 @@ class FeltGround {
   void update(const GaitOutput& gait, const Dynamics& dynamics, double period);
 
   /// Shift of the reference ZMP against the rotation of a stance sole that rocks on an edge of uneven ground, W (2,) [m]:
-  /// -D (w_y, -w_x), with the angular velocity w of the sole in W. Beside an edge the torque would turn the sole faster and faster, and the impacts
+  /// -D (w_y, -w_x), with the angular velocity w of the sole in W, D = 0.05 z_c T_c + 3.2 I / (m g T_c). Beside an edge the torque would turn the sole faster and faster, and the impacts
   /// at either side would make the pendulum throw it back.
   Vec2 steadying(const GaitOutput& gait, const Dynamics& dynamics) const;
 

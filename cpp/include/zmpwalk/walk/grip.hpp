@@ -5,25 +5,28 @@
 
 #include "zmpwalk/control/dynamics.hpp"
 #include "zmpwalk/gait/gait_generator.hpp"
+#include "zmpwalk/robot/state.hpp"
 #include "zmpwalk/settings/settings.hpp"
 
 namespace zmpwalk {
 
 /// What the walk finds out about the friction under its feet: a foot that moves along the ground while it carries slips.
 ///
-/// A sole slips whose corners have moved along the ground faster than quiet walks turn them, for more than a small way. Then the friction under that
-/// foot is no more than what the torque asked of it, |F_xy| / F_z, and falls on while it slips. It recovers slowly. While it is low, the
-/// plan slows down. Where no foot slips, nothing is changed; nor is it where the friction that is believed explains that a sole moves, since most of it
-/// was asked for. Works with `limits.feel_slip`.
+/// A sole slips where the point at which its force acts moves along the ground, for more than a small way. A sole that turns about that point, by its yaw
+/// moment or over an edge, does not. While it slides, friction holds what it can, (|F_xy| + |M_z| / r) / F_z with M_z about that point and r half the
+/// sole's diagonal. Two thirds of the most that was felt are believed from then on, and recover slowly. While friction is low, the plan slows
+/// down. Nothing is changed where no foot slips, or where half of the believed friction was felt: such a sole has met a limit that is known.
+/// Works with `limits.feel_slip`.
 class Grip {
  public:
   /// @param sole of either foot   @param z_c height of the COM over the soles [m]   @param gravity [m/s^2]   @param friction that is believed at first
   Grip(const WalkSettings& settings, const SoleSize& sole, double z_c, double gravity, double friction);
 
   void reset();
-  /// Goes on by one cycle. @param f_c  robot on ground, of the last cycle, force and moment of each foot [N, N m]
+  /// Goes on by one cycle. The force of a foot is the one that it feels, or the one that was asked of it where none is told.
+  /// @param f_c  robot on ground, of the last cycle, force and moment of each foot [N, N m]
   /// @returns whether the friction of a foot has changed
-  bool update(const GaitOutput& gait, const Dynamics& dynamics, const Vec12& f_c);
+  bool update(const GaitOutput& gait, const Dynamics& dynamics, const Sensed& felt, const Vec12& f_c);
 
   double friction(Side side) const { return friction_[side]; }  ///< under a foot, as far as is known
   double friction() const { return std::min(friction_[kLeft], friction_[kRight]); }
@@ -32,8 +35,8 @@ class Grip {
 
  private:
   bool on_;
-  double dt_, radius_, slow_, way_, fall_, recover_, start_;
-  std::array<double, 2> friction_, slipped_{};
+  double dt_, ahead_, aside_, slow_, way_, recover_, start_;
+  std::array<double, 2> friction_, slipped_{}, felt_{};
   double pace_ = 1.0;
 };
 
