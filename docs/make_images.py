@@ -1,6 +1,6 @@
 """Draws the pictures of README, how-tos, ground and the mixed walk: `python docs/make_images.py`.
 
-`--only NAME` draws one: estimate, walk, sagittal, mixed, ground, howto, moving (the picture that moves) or viewer. The
+`--only NAME` draws one: estimate, walk, sagittal, mixed, ground, stairs, howto, moving (the picture that moves) or viewer. The
 last one needs a display (`xvfb-run`) and is drawn only when it is asked for.
 """
 
@@ -27,7 +27,7 @@ import walk_anywhere
 
 IMAGES = Path(__file__).parent / "images"
 MOVING, FPS = (480, 360), 20  # of the picture that moves [pixels, 1/s]
-DRAWN = ("estimate", "walk", "sagittal", "mixed", "ground")
+DRAWN = ("estimate", "walk", "sagittal", "mixed", "ground", "stairs")
 TIMES = {0.4: "stands on the left foot", 2.0: "first steps", 4.9: "both feet down", 5.3: "swings a leg"}
 # What the script of the mixed walk does from one instant to the next [s].
 LEGS = {
@@ -100,18 +100,29 @@ def moving() -> None:
 
 
 def ground(trace: zmpwalk.Trace) -> Figure:
-    """An instant on blocks, and the heights of soles and followed ground over time."""
+    """An instant on blocks, and the heights over time."""
+    camera = {"azimuth": 125.0, "elevation": -20.0, "distance": 2.7}
+    return heights(trace, 8.62, camera, xlim=(4.0, 12.0), ylim=(-0.5, 14.0))
+
+
+def stairs(trace: zmpwalk.Trace) -> Figure:
+    """An instant on stairs, and the heights over time."""
+    camera = {"azimuth": 60.0, "elevation": -12.0, "distance": 4.2}
+    return heights(trace, 7.9, camera, xlim=(0.0, 21.0), ylim=(-10.0, 150.0))
+
+
+def heights(trace: zmpwalk.Trace, t: float, camera: dict[str, float], **axes: Any) -> Figure:
+    """The instant `t` seen by the camera, and the heights of soles and followed ground over time."""
     with matplotlib.rc_context(plot.STYLE):
         figure = plot.WalkFigure(figsize=(10.0, 3.4))
         view = figure.add_axes((0.0, 0.0, 0.36, 1.0))
-        camera = {"azimuth": 125.0, "elevation": -12.0, "distance": 2.7}
-        view.imshow(render.snapshot(trace, t=8.62, width=500, height=472, camera=camera), aspect="auto")
+        view.imshow(render.snapshot(trace, t=t, width=500, height=472, camera=camera), aspect="auto")
         view.set_axis_off()
         ax = figure.add_axes((0.43, 0.17, 0.56, 0.76))
         for foot, label in ((trace.foot_left, "left sole"), (trace.foot_right, "right sole")):
             ax.plot(trace.t, 100.0 * foot[:, 2], lw=0.9, label=label)
         ax.plot(trace.t, 100.0 * trace.ground, color="black", lw=1.6, label="height that the COM follows")
-        ax.set(xlim=(4.0, 12.0), ylim=(-0.5, 14.0), xlabel="t [s]", ylabel="height over the floor [cm]")
+        ax.set(**axes, xlabel="t [s]", ylabel="height over the floor [cm]")
         ax.legend(loc="upper left", ncol=3)
     return figure
 
@@ -170,6 +181,9 @@ def main() -> None:
     if only in (None, "ground"):
         blocks = zmpwalk.simulate(profile=0.25, duration=12.0, terrain="blocks:2,7")
         ground(blocks).savefig(IMAGES / "ground.png", dpi=100)
+    if only in (None, "stairs"):
+        climb = zmpwalk.simulate(profile=0.25, duration=21.0, terrain="stairs:12x28", known=True)
+        stairs(climb).savefig(IMAGES / "stairs.png", dpi=100)
 
 
 if __name__ == "__main__":

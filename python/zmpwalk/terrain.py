@@ -28,6 +28,7 @@ STRIP = 0.05  # width of the strips that make up a curved ground [m]
 TILTS_WITHIN = 1.0  # way along which a ground begins to lean sideways [m]
 THICK = 0.5  # of a patch [m]
 WAVE = 1.0  # length of a wave [m]
+DARKEST = 0.6  # brightness of the lowest patch beside that of the highest, so that heights are seen
 
 
 class Patch(NamedTuple):
@@ -255,6 +256,10 @@ class Terrain:
         half = np.array([0.5 * (patch.x[1] - patch.x[0]), 0.5 * (patch.y[1] - patch.y[0]), 0.5 * THICK])
         half[:2] /= axes[0, 0], math.hypot(*axes[:2, 1])  # it is as wide as that, seen from above
         centre = patch.middle + [0.0, 0.0, floor] - half[2] * axes[:, 2]
+        low, high = min(p.height for p in self.patches), max(p.height for p in self.patches)
+        if high > low:
+            shade = DARKEST + (1.0 - DARKEST) * (patch.height - low) / (high - low)
+            keep.setdefault("rgba", _text([shade, shade, shade, 1.0]))
         if self.solref is not None:
             keep.update(solref=f"{self.solref!r} 1", priority="1")
         if patch.friction is not None:
