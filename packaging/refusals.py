@@ -28,7 +28,7 @@ calls = [
      lambda: zmpwalk.simulate("mahru", duration=0.1, settings=zmpwalk.WalkSettings(kernel="abacus"))),
     (InputError, "lateral_law = 'sideways' is unknown", lambda: zmpwalk.WalkSettings(lateral_law="sideways")),
     (InputError, "there is no setting 'abacus'", lambda: zmpwalk.WalkSettings(abacus=1)),
-    (InputError, "nan", lambda: zmpwalk.WalkSettings(half_step=float("nan"))),
+    (InputError, "T_ss", lambda: zmpwalk.simulate("mahru", duration=0.1, settings=zmpwalk.WalkSettings(T_ss=-1))),
     (InputError, "unknown robot 'marhu'", lambda: zmpwalk.load_robot("marhu")),
     (DimensionError, "v is (3, 1); it must be (2, 3)", lambda: zmpwalk.VelocityProfile([0, 1], [0, 1, 2])),
     (ModelError, "the model has no free joint",
