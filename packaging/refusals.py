@@ -48,7 +48,8 @@ print(len(calls), "errors,", zmpwalk.build_info())
 SWAPPED = """
 import subprocess, sys
 import mujoco
-subprocess.run([sys.executable, "-m", "pip", "-q", "install", "--no-deps", sys.argv[1]], check=True)
+pip = [sys.executable, "-m", "pip", "-q", "install", "--no-deps", sys.argv[1]]
+subprocess.run(pip, check=True, stderr=subprocess.DEVNULL)
 sys.argv = ["zmpwalk", "inspect", "mahru"]
 import zmpwalk
 """
@@ -101,7 +102,8 @@ def main() -> None:
     expect("an imaginary MuJoCo", "no adapter to MuJoCo 9.9.9", command, *inspect)
     expect("its adapter", "is the adapter to MuJoCo 9.9.9", command, "build-adapter", code=0)
     expect("with that adapter", "mahru", command, *inspect, code=0)
-    run(inside, "-m", "pip", "uninstall", "-y", "mujoco")
+    (package_folder(inside) / "mujoco-9.9.9.dist-info").rename(package_folder(inside) / f"mujoco-{version}.dist-info")
+    run(inside, "-m", "pip", "uninstall", "-y", "mujoco", "mujoco-core")
     expect("no MuJoCo", "no mujoco is installed: pip install mujoco", command, *inspect)
     sys.exit(not good)
 
