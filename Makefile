@@ -14,7 +14,7 @@ DEMO_OUT ?= out/demo
 SANITIZE ?= address,undefined
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: help demo test pytest ctest sanitize sanitize-extension sanitize-threads fuzz kills bench ladder pushes soak instructions same native peers smoke wheel wheels wheels-arm wheel-check adapters matrix sdist stubs columns docs format lint check-all clean
+.PHONY: help demo test pytest ctest sanitize sanitize-extension sanitize-threads fuzz kills bench ladder pushes soak instructions same native peers smoke wheel wheels wheels-arm arm-check wheel-check adapters matrix refusals sdist stubs columns docs format lint check-all clean
 
 help:
 	@echo 'make demo         walk the paper'\''s experiment; figures, trace and summary go to $(DEMO_OUT)'
@@ -34,6 +34,8 @@ help:
 	@echo 'make wheel        dist/*.whl;  make wheel-check  install it into an empty environment and walk;  make sdist'
 	@echo 'make wheels       dist/*.whl for every Python that is here, with the adapters to every MuJoCo;  make wheels-arm  for aarch64'
 	@echo 'make matrix       installs these wheels beside eight MuJoCo versions and walks (docs/mujoco.md)'
+	@echo 'make refusals     errors from C++ on the wheel, and every MuJoCo that does not fit, each in one line'
+	@echo 'make arm-check    the C++ tests and a walk of the aarch64 wheel under emulation (needs Debian, qemu-user-static)'
 	@echo 'make adapters     layouts, adapters and attributes of every MuJoCo release anew (docs/mujoco.md)'
 	@echo 'make smoke        the tests that depend on MuJoCo, under versions between the two of make test'
 	@echo 'make format       clang-format, ruff, gersemi, nbstripout;  make lint  the same as a check, and mypy'
@@ -254,6 +256,15 @@ wheels-arm: $(B)/venv.stamp
 
 matrix: wheels
 	@$(PY) packaging/matrix.py dist/*$$(uname -m).whl $(MATRIX_ARGS)
+
+# The oldest and the newest of the MuJoCo versions, each with a Python that has it.
+refusals: wheels
+	@$(PY) packaging/refusals.py dist/*cp310*$$(uname -m).whl 2.2.2
+	@$(PY) packaging/refusals.py dist/*cp312*$$(uname -m).whl 4.0.0
+
+arm-check: wheels-arm
+	@$(PY) packaging/wheels.py --python 3.11
+	@$(PY) packaging/arm.py dist/*cp311*.whl $(ARM_ARGS)
 
 adapters: $(B)/venv.stamp
 	@$(PY) cpp/adapter/layouts.py build/mujoco --adapters build/adapters

@@ -57,8 +57,12 @@ def compiler(folder: Path, tools: Path, target: str) -> Path:
     zig = subprocess.run(
         [tools, "-c", "import ziglang, os; print(os.path.dirname(ziglang.__file__))"], text=True, check=True, stdout=-1
     ).stdout.strip()
+    empty = folder / "include" / "crypt.h"  # Python.h of 3.8 includes it without need, and zig has none
+    empty.parent.mkdir(exist_ok=True)
+    empty.touch()
     command = folder / "c++"
-    command.write_text(f'#!/bin/sh\nexec "{zig}/zig" c++ -target {target}-linux-gnu.{GLIBC} "$@"\n')
+    words = f'"{zig}/zig" c++ -target {target}-linux-gnu.{GLIBC} -idirafter "{empty.parent}"'
+    command.write_text(f'#!/bin/sh\nexec {words} "$@"\n')
     command.chmod(0o755)
     return command
 
@@ -103,13 +107,13 @@ def main() -> None:
             continue
         say(f"Python {version}")
         inside = made(folder.parent / f"py{version}", found.stdout.strip(), requirements())
-        defines = {
-            "ZMPWALK_ADAPTERS": folder / "adapters",
-            "ZMPWALK_CORE": folder / "core" / "libzmpwalk_core.a",
-            **(
-                {} if target == platform.machine() else {"CMAKE_SYSTEM_NAME": "Linux", "CMAKE_SYSTEM_PROCESSOR": target}
-            ),
-        }
+        defines = {"ZMPWALK_ADAPTERS": folder / "adapters", "ZMPWALK_CORE": folder / "core" / "libzmpwalk_core.a"}
+        if target != platform.machine():  # this machine's Python builds: it is told what that of the target would say
+            suffix = f".cpython-{version.replace('.', '')}-{target}-linux-gnu.so"
+            here["_PYTHON_HOST_PLATFORM"], here["SETUPTOOLS_EXT_SUFFIX"] = f"linux-{target}", suffix
+            defines.update(CMAKE_SYSTEM_NAME="Linux", CMAKE_SYSTEM_PROCESSOR=target, PYTHON_MODULE_EXTENSION=suffix)
+            # strip is this machine's too: the linker does that
+            defines.update(CMAKE_STRIP="CMAKE_STRIP-NOTFOUND", CMAKE_MODULE_LINKER_FLAGS="-s")
         raw = folder / f"raw{version}"
         wheel = [inside, "-m", "pip", "--disable-pip-version-check", "-q", "wheel", "--no-build-isolation", "--no-deps"]
         wheel += [f"-Cbuild-dir={folder / f'extension{version}'}", "-w", raw]

@@ -43,7 +43,7 @@ def fetch(version: str, folder: Path) -> Path:
         with tempfile.TemporaryDirectory() as scratch:
             for python in ("3.10", "3.11", "3.12", "3.13"):
                 command = [sys.executable, "-m", "pip", "-q", "download", "--no-deps", "--only-binary", ":all:"]
-                command += ["--python-version", python, "-d", scratch, f"{package}=={version}"]
+                command += ["--python-version", python, "-d", scratch, f"{package}=={version}.*"]  # 2.3.1.post1 too
                 if subprocess.run(command, check=False, stderr=subprocess.DEVNULL).returncode == 0:
                     break
             for wheel in Path(scratch).glob("*.whl"):
