@@ -1,7 +1,7 @@
 """Draws the pictures of README, how-tos, ground and the mixed walk: `python docs/make_images.py`.
 
-`--only NAME` draws one: estimate, walk, sagittal, mixed, ground, stairs, howto, moving (the picture that moves) or viewer. The
-last one needs a display (`xvfb-run`) and is drawn only when it is asked for.
+`--only NAME` draws one: estimate, walk, sagittal, mixed, ground, stairs, howto, moving (the picture that moves) or
+viewer. The last one needs a display (`xvfb-run`) and is drawn only when it is asked for.
 """
 
 import argparse

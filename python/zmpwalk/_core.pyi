@@ -633,7 +633,7 @@ class WalkSettings:
             limits: What a torque must keep to: the joints' torques and ranges, and what the soles can hold. A dict, or LimitsSettings.
                 keep (keep_limits): Whether the nearest torque that keeps the limits is found where the closed form's torque would break one: the tasks give way, first the swing foot, then the trunk, the COM's height, and last its horizontal acceleration. With false torques are cut to their limits, and nothing else is kept. Default: True.
                 friction: Friction of the soles: tangential force per normal force that they can hold. Default: that of the soles in the model.
-                feel_slip: Whether a sole that slides while it carries lowers the friction that is believed, and with it the planned speed, so that the robot walks on over ice. With false a foot that slips is not noticed. Default: True.
+                feel_slip: Whether a sole that slides while it carries lowers the friction that is believed, and with it the planned speed. With true the robot walks on over ice; but soles that slide a little as they land, as they do where the measured attitude is off by 2 degrees, pass for slipping ones, and it slows down. Default: False.
                 twist (twist_share): Moment about the vertical that a sole may give, as a share of what its friction holds while it turns about its centre. With more than 1 the foot turns a little where it must. Default: 1.0.
                 range_margin: How far from the ends of its range a joint comes to rest. Unit: rad. Default: 0.0.
                 range_rate: How fast a joint may still move towards the end of its range: it comes to rest there as a critically damped joint of this damping does. A small rate brakes early. Unit: 1/s. Default: 120 (0.276 s / T_c).
@@ -1431,7 +1431,7 @@ class WalkSettings:
     def friction(self, value: float) -> None: ...
     @property
     def feel_slip(self) -> bool:
-        """limits.feel_slip: Whether a sole that slides while it carries lowers the friction that is believed, and with it the planned speed, so that the robot walks on over ice. With false a foot that slips is not noticed. Default: True."""
+        """limits.feel_slip: Whether a sole that slides while it carries lowers the friction that is believed, and with it the planned speed. With true the robot walks on over ice; but soles that slide a little as they land, as they do where the measured attitude is off by 2 degrees, pass for slipping ones, and it slows down. Default: False."""
     @feel_slip.setter
     def feel_slip(self, value: bool) -> None: ...
     @property
@@ -2312,7 +2312,7 @@ class LimitsSettings:
     def friction(self, value: float) -> None: ...
     @property
     def feel_slip(self) -> bool:
-        """Whether a sole that slides while it carries lowers the friction that is believed, and with it the planned speed, so that the robot walks on over ice. With false a foot that slips is not noticed. Default: True."""
+        """Whether a sole that slides while it carries lowers the friction that is believed, and with it the planned speed. With true the robot walks on over ice; but soles that slide a little as they land, as they do where the measured attitude is off by 2 degrees, pass for slipping ones, and it slows down. Default: False."""
     @feel_slip.setter
     def feel_slip(self, value: bool) -> None: ...
     @property

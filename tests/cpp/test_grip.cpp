@@ -15,6 +15,12 @@ const SoleSize kSole{0.25, 0.14};
 constexpr double kMass = 60.0, kWeight = kMass * 9.81, kBelieved = 1.0;
 constexpr double kQuick = 0.2;  // [m/s], ten times as fast as soles that turn
 
+WalkSettings feeling() {
+  WalkSettings s;
+  s.limits.feel_slip = true;
+  return s;
+}
+
 /// A robot that stands on its left foot, whose force acts at a point of the sole.
 struct Standing {
   Standing() : grip(resolve(WalkSettings(), kRobot), kSole, kRobot.com_height, 9.81, kBelieved), dynamics(6) {

@@ -116,15 +116,18 @@ def test_a_patch_of_ice_under_one_foot_is_felt_and_walked():
         Patch(icy, (0.0, 20.0), friction=0.1),
         Patch(icy, (-20.0, 0.0)),
     ]
-    trace = zmpwalk.simulate(profile=0.15, duration=9.0, terrain=Terrain("ice", ground))
+    walk = {"profile": 0.15, "duration": 9.0, "terrain": Terrain("ice", ground)}
+    trace = zmpwalk.simulate(**walk, settings={"feel_slip": True})
     assert not trace.meta["fell"] and trace.com[-1, 0] > 1.0
     assert trace.friction.min() < 0.12 and trace.friction[0] == 1.0  # it is found, not known
     assert trace.rerun().com[-1, 0] == trace.com[-1, 0]
-    numb = zmpwalk.simulate(profile=0.15, duration=9.0, terrain=Terrain("ice", ground), settings={"feel_slip": False})
+    numb = zmpwalk.simulate(**walk)
     assert numb.meta["fell"] and (numb.friction == 1.0).all()
 
 
 def test_a_sole_that_its_swing_leg_turns_does_not_slip(test_robots):
     profile = zmpwalk.VelocityProfile.ramp(0.0, 0.5, 2.0)
-    trace = zmpwalk.simulate(test_robots / "unitree_g1" / "robot.json", profile=profile, duration=6.0)
+    trace = zmpwalk.simulate(
+        test_robots / "unitree_g1" / "robot.json", profile=profile, duration=6.0, settings={"feel_slip": True}
+    )
     assert not trace.meta["fell"] and (trace.friction == trace.friction[0]).all()

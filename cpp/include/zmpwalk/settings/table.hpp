@@ -480,7 +480,7 @@ struct LimitsSettings {
   static constexpr const char* kMeaning =
       "What a torque must keep to: the joints' torques and ranges, and what the soles can hold.";
 
-  bool keep = true, feel_slip = true;
+  bool keep = true, feel_slip = false;
   double friction = kNaN, twist = 1.0, range_margin = 0.0, range_rate = kNaN;
 
   template <class Self, class Visitor>
@@ -494,7 +494,8 @@ struct LimitsSettings {
       "Friction of the soles: tangential force per normal force that they can hold.");
     v(g.feel_slip, "feel_slip", "feel_slip", "", must_be::kAnything, {},
       "Whether a sole that slides while it carries lowers the friction that is believed, and with it the planned "
-      "speed, so that the robot walks on over ice. With false a foot that slips is not noticed.");
+      "speed. With true the robot walks on over ice; but soles that slide a little as they land, as they do where the "
+      "measured attitude is off by 2 degrees, pass for slipping ones, and it slows down.");
     v(g.twist, "twist", "twist_share", "", must_be::kPositive, {},
       "Moment about the vertical that a sole may give, as a share of what its friction holds while it turns about its "
       "centre. With more than 1 the foot turns a little where it must.");
