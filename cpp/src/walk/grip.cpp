@@ -10,7 +10,7 @@ constexpr double kSlow = 0.02;      // speed that is no slip yet; soles that tur
 constexpr double kWay = 0.004;      // way beyond that speed from which on a foot has slipped [z_c]
 constexpr double kCarries = 0.2;    // share of the weight from which on a foot counts as carrying
 constexpr double kExplained = 0.5;  // share of the believed friction; a sole that moves under more has met its limit
-constexpr double kHolds = 0.65;     // share of what was felt that is relied on: edges and turning soles hold less
+constexpr double kHolds = 0.65;     // share of what was asked while a sole slid, that is believed to hold
 constexpr double kLeast = 0.05;     // friction is never believed to be less
 constexpr double kRecovers = 36.0;  // time constant with which it recovers [T_c]
 constexpr double kNeeds = 0.3;      // friction with which a walk goes as it likes
@@ -31,14 +31,14 @@ Grip::Grip(const WalkSettings& settings, const SoleSize& sole, double z_c, doubl
 
 void Grip::reset() {
   friction_ = {start_, start_};
-  slipped_ = felt_ = {};
+  slipped_ = asked_ = {};
   pace_ = 1.0;
 }
 
-bool Grip::update(const GaitOutput& gait, const Dynamics& dynamics, const Sensed& felt, const Vec12& f_c) {
+bool Grip::update(const GaitOutput& gait, const Dynamics& dynamics, const Vec12& f_c) {
   if (!on_) return false;
   const Side side = gait.support;
-  const Vec6 w = felt.wrench[side].allFinite() ? felt.wrench[side] : Vec6(f_c.segment<6>(6 * side));
+  const Vec6 w = f_c.segment<6>(6 * side);
   const bool carries = -w[2] > kCarries * dynamics.mass * dynamics.gravity.norm();
   // Where the force acts: a sole that turns about that point, by its yaw moment or over an edge, does not slip.
   const Vec2 at = carries ? Vec2(std::clamp(-w[4] / w[2], -ahead_, ahead_), std::clamp(w[3] / w[2], -aside_, aside_))
@@ -48,20 +48,20 @@ bool Grip::update(const GaitOutput& gait, const Dynamics& dynamics, const Sensed
   const double twist = std::abs(w[5] - at.x() * w[1] + at.y() * w[0]) / std::hypot(ahead_, aside_);
   const double holds = (w.head<2>().norm() + twist) / std::abs(w[2]);
   const bool explained = friction_[side] == start_ && holds > kExplained * start_;
-  // While a sole slides, friction holds what it can, so that the most of what was felt is what it is.
+  // What was asked while it slid is more than friction holds.
   if (carries && speed > slow_ && !explained) {
     slipped_[side] += (speed - slow_) * dt_;
-    felt_[side] = std::max(felt_[side], holds);
+    asked_[side] = std::max(asked_[side], holds);
   } else {
-    slipped_[side] = felt_[side] = 0.0;
+    slipped_[side] = asked_[side] = 0.0;
   }
-  slipped_[other(side)] = felt_[other(side)] = 0.0;
+  slipped_[other(side)] = asked_[other(side)] = 0.0;
   const bool slips = slipped_[side] > way_;
   if (!slips && friction_[kLeft] == start_ && friction_[kRight] == start_) return false;
   for (const Side each : kSides) {
     double& mu = friction_[each];
     if (slips && each == side) {
-      mu = std::max(std::min(mu, kHolds * felt_[side]), kLeast);
+      mu = std::max(std::min(mu, kHolds * asked_[side]), kLeast);
     } else if (mu < start_) {
       mu += dt_ / recover_ * (start_ - mu);
       if (start_ - mu < 1e-3 * start_) mu = start_;

@@ -396,7 +396,7 @@ void WalkingController::cycle(const State& state) {
   in.contact << state.contact[kLeft], state.contact[kRight];
   const GaitOutput& gait = gait_.update(in);
   ground_.update(gait, dyn, gait_.schedule().times().period());
-  feel_grip(gait, state);
+  feel_grip(gait);
   // A force that has not lasted is over soon: the fall is foreseen without it.
   const Vec2 recent = recent_force();
   in.com -= (dyn.com.z() - ground_.height()) / forced.gravity * recent;
@@ -439,10 +439,10 @@ Vec2 WalkingController::recent_force() const {
   return observer_.made_up_for().head<2>() - observer_.steady();
 }
 
-void WalkingController::feel_grip(const GaitOutput& gait, const Sensed& felt) {
+void WalkingController::feel_grip(const GaitOutput& gait) {
   // A sole that rocks on uneven ground moves along it without slipping.
   const bool begins = ground_.uneven() && grip_.pace() == 1.0;
-  if (!begins && grip_.update(gait, robot_.dynamics(), felt, out_.f_c))
+  if (!begins && grip_.update(gait, robot_.dynamics(), out_.f_c))
     for (const Side side : kSides) limits_.set_friction(side, grip_.friction(side));
   out_.friction = grip_.friction();
 }

@@ -162,7 +162,7 @@ class WalkingController {
   /// What the observer makes up for that has not lasted yet, W (2,) [m/s^2].
   Vec2 recent_force() const;
   Vec2 horizontal_force(const Dynamics& dyn, const std::array<bool, 2>& standing) const;
-  void feel_grip(const GaitOutput& gait, const Sensed& felt);
+  void feel_grip(const GaitOutput& gait);
   void limit_torque(const GaitOutput& gait);
   void cut_torque(const GaitOutput& gait);
   void note(const Cycle& cycle);  // into the output
