@@ -70,10 +70,11 @@ def test_by_time_alone_the_same_slope_is_not_walked():
 @pytest.mark.parametrize(("robot", "speed"), [("robotis_op3", 0.086), ("unitree_g1", 0.141)])
 def test_strangers_walk_a_slope_and_blocks_that_their_feet_find(robot, speed, test_robots):
     path = test_robots / robot / "robot.json"
-    leg = {"robotis_op3": 25, "unitree_g1": 67}[robot]  # [cm]
+    blocks = {"robotis_op3": "blocks:0.5,0", "unitree_g1": "blocks:1.3,0"}[robot]  # 2 % of the COM's height
+    profile = zmpwalk.VelocityProfile.ramp(0.0, speed, 2.0)
     runs = [
-        {"robot": path, "profile": speed, "duration": 12.0, "terrain": terrain}
-        for terrain in ("slope:3,0", "slope:3,180", f"blocks:{0.02 * leg:g},0")
+        {"robot": path, "profile": profile, "duration": 12.0, "terrain": terrain}
+        for terrain in ("slope:3,0", "slope:3,180", blocks)
     ]
     traces = zmpwalk.simulate_batch(runs)
     assert [trace.meta["terrain"] for trace in traces if trace.meta["fell"]] == []
