@@ -8,7 +8,8 @@ void bind_estimate(py::module_& m) {
   py::class_<ZmpEstimate>(m, "ZmpEstimate", "What a torque will do to the ground.")
       .def_readonly("zmp", &ZmpEstimate::zmp, "world x and y, on the common plane of the feet (2,) [m]")
       .def_readonly("f_c", &ZmpEstimate::f_c, "robot on ground, left then right (12,), NaN in the air")
-      .def_readonly("in_contact", &ZmpEstimate::in_contact);
+      .def_readonly("in_contact", &ZmpEstimate::in_contact,
+                    "Whether the ground carries: without load there is no ZMP.");
   py::class_<ZmpEstimator>(
       m, "ZmpEstimator",
       "Estimates the ZMP that a torque will produce, before it is sent (eq. 9-15), with one or two standing feet.")

@@ -135,10 +135,9 @@ void bind_simulation(py::module_& m) {
           },
           "Names of the numbers in a row; empty where there is one, or where the robot says how many.")
       .def_readonly("unit", &RecordedColumn::unit, "SI unit of the numbers; empty where they have none.")
-      .def_readonly(
-          "frame", &RecordedColumn::frame,
-          "Frame in which the numbers are given: W, the world; H, turned into the heading of the walk; S, the "
-          "axes of the\nsupport sole. It is empty where they have none.")
+      .def_readonly("frame", &RecordedColumn::frame,
+                    "Frame in which the numbers are given: W, the world; H, turned into the planned heading; S, the "
+                    "axes of the\nsupport sole. It is empty where they have none.")
       .def_readonly("meaning", &RecordedColumn::meaning, "What the numbers mean, in a sentence.")
       .def_readonly("decided", &RecordedColumn::decided,
                     "Whether the cycle decides it, so that it is a property of CycleOutput too; else it is known only "

@@ -58,12 +58,13 @@ void OwnTime::retime(double t, double left) {
 
 void SwingFoot::begin(const Vec3& p, const Mat3& R, double duration, double z_land, double height, double speed,
                       bool steep, const Vec2& tilt) {
-  starts_ = steep ? kRises : 0.0;
-  arrives_ = steep ? kThere : 1.0;
-  tilts_ = !std::isnan(tilt.x());
-  from_tilt_ = {std::atan2(R(2, 1), R(2, 2)), -std::asin(std::clamp(R(2, 0), -1.0, 1.0))};
-  to_tilt_ = tilt;
-  fly(p, R, duration, z_land, std::max(p.z(), z_land) + height, kNaN, speed);
+  SwingShape shape;
+  shape.starts = steep ? kRises : 0.0;
+  shape.arrives = steep ? kThere : 1.0;
+  shape.tilts = !std::isnan(tilt.x());
+  shape.tilt = tilt;
+  shape.top = std::max(p.z(), z_land) + height;
+  begin(p, R, duration, z_land, shape, speed);
 }
 
 void SwingFoot::begin(const Vec3& p, const Mat3& R, double duration, double z_land, const SwingShape& shape,

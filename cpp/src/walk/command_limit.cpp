@@ -307,16 +307,15 @@ Vec3 CommandLimit::within(const Vec3& velocity, SpeedLimit* limit) const {
 }
 
 void CommandLimit::require_within(const VelocityProfile& profile) const {
-  reach_.require_within(profile);
-  if (!on_) return;
   for (const Vec3& v : profile.v())
-    if (share(v) > 1.0 + kAtLimit) {
+    if (on_ && share(v) > 1.0 + kAtLimit) {
       SpeedLimit bites;
       const Vec3 possible = within(v, &bites);
       throw InputError("the profile asks for (v_x, v_y, w_z) = (" + velocity_text(v) + "); the " + to_string(bites) +
                        " allows (" + velocity_text(possible) +
                        "). A larger command.share, or command.limit = false, lets it try");
     }
+  reach_.require_within(profile);
 }
 
 std::string to_string(const AxisLimit& axis) {

@@ -56,15 +56,13 @@ void FeltGround::update(const GaitOutput& gait, const Dynamics& dynamics, double
     const auto over = [&](const Vec3& along) { return std::abs(along.z() - ground.rise.dot(along.head<2>())); };
     return start_ + height_over(ground, p) - 0.5 * (over(R.col(0)) * sole_.length + over(R.col(1)) * sole_.width);
   };
-  const auto differs = [&](Side side) {
-    const double rise = lowest(side) - start_ - level_;
-    return rise > higher_ || rise < -lower_;
-  };
+  const auto differs = [&](double rise) { return rise > higher_ || rise < -lower_; };
+  const double carries = lowest(gait.support) - start_;
   // A foot that meets even ground early meets it at its height.
-  if (differs(gait.support) || (gait.off_time && differs(gait.swing))) {
+  if (differs(carries - level_) || (gait.off_time && differs(lowest(gait.swing) - start_ - level_))) {
     uneven_ = true;
     calm_ = 0.0;
-    level_ = lowest(gait.support) - start_;
+    level_ = carries;
   }
   if (!uneven_) return;
   const Vec3& stands = dynamics.sole[gait.support].p_WF;

@@ -1,7 +1,9 @@
 #include "zmpwalk/walk/leg_reach.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 #include "zmpwalk/math/error.hpp"
@@ -21,7 +23,9 @@ void require_velocity(const Vec3& velocity) {
 }  // namespace
 
 std::string velocity_text(const Vec3& v) {
-  return text_of(v.x()) + " m/s, " + text_of(v.y()) + " m/s, " + text_of(v.z()) + " rad/s";
+  std::array<char, 96> text;
+  std::snprintf(text.data(), text.size(), "%.4g m/s, %.4g m/s, %.4g rad/s", v.x(), v.y(), v.z());
+  return text.data();
 }
 
 LegReach::LegReach(const Robot& robot, const WalkSettings& settings, const Cadence& cadence)
@@ -85,7 +89,7 @@ void LegReach::require_within(const VelocityProfile& profile) const {
     if (share(v) > 1.0)
       throw InputError("the profile asks for (v_x, v_y, w_z) = (" + velocity_text(v) +
                        "); this robot's legs reach as far as (" + velocity_text(within(v)) + ") at a step period of " +
-                       std::to_string(cadence_.times(v).period()) + " s, and " + std::to_string(speed_limit()) +
+                       text_of(cadence_.times(v).period()) + " s, and " + text_of(speed_limit()) +
                        " m/s straight ahead");
 }
 
