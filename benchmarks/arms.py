@@ -124,7 +124,7 @@ def figure(speed=0.6, seconds=2.0):
         shown = (trace.t >= YAW_START) & (trace.t <= YAW_START + seconds)
         for side, name, colour in ((0, "left", plot.ESTIMATED), (1, "right", plot.MEASURED)):
             angle = np.degrees(shoulders(trace)[shown, side])
-            below.plot(trace.t[shown] - YAW_START, angle, color=colour, label=f"{name} shoulder")
+            below.plot(trace.t[shown] - YAW_START, angle, color=colour, label=f"{name} shoulder, arms swinging")
         above.set_ylabel("yaw moment of\nthe ground [N m]")
         below.set(ylabel="shoulder pitch [°]", xlabel="time [s]", xlim=(0, seconds))
         for axes in (above, below):

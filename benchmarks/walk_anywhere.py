@@ -348,25 +348,23 @@ def ladder_figure(lines):
     with matplotlib.rc_context(plot.STYLE):
         drawing = plot.WalkFigure(figsize=(plot.WIDTH, 4.0), layout="constrained")
         above, below = drawing.subplots(2, 1, sharex=True)
-        for k, (axis, colour) in enumerate((("forward", plot.ESTIMATED), ("sideways", plot.MEASURED))):
+        for k, (axis, colour) in enumerate((("forward", plot.ESTIMATED), ("sideways", plot.DESIRED))):
             above.plot(speed, p95[:, k], "o-", color=colour, ms=4, label=axis)
         above.plot(
-            list(LADDER), list(LADDER.values()), "_", color=plot.FAINT, ms=16, mew=2, label="error that is allowed"
+            list(LADDER), list(LADDER.values()), "_", color=plot.FAINT, ms=16, mew=2, label="allowed up to 0.8 m/s"
         )
-        above.set(ylabel="estimate − CoP,\n95th percentile [mm]", ylim=(0, None))
+        above.set(ylabel="error of the estimate,\n95th percentile [mm]", yscale="log")
         below.plot(speed, torque, "o-", color=plot.DESIRED, ms=4)
         below.axhline(100, color=plot.FAINT, lw=1.2)
         for axes in (above, below):
             for v in falls:
-                axes.axvline(v, color="black", ls="--", lw=1.0, label="falls" if v == falls[0] else "_")
-        for v in falls:
-            below.annotate(f"falls at {v:g} m/s", (v, 8), (-4, 0), textcoords="offset points", ha="right", fontsize=8)
+                axes.axvline(v, color="black", ls="--", lw=1.0, label=f"falls at {v:g} m/s" if v == falls[0] else "_")
         below.annotate("limit of the torque", (min(LADDER), 100), (0, -9), textcoords="offset points", fontsize=8)
         below.set(
-            ylabel="largest torque\n[% of its limit]",
+            ylabel="largest torque asked\n[% of its limit]",
             xlabel="speed [m/s]",
             ylim=(0, 1.12 * max(100, *torque)),
-            xlim=(min(LADDER) - 0.02, None),
+            xlim=(min(LADDER) - 0.06, None),
         )
         above.legend(loc="upper left")
         drawing.suptitle("Faster until the robot falls", x=0.012, ha="left", fontsize=10, fontweight="bold")

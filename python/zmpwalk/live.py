@@ -17,7 +17,7 @@ from .analysis import feet_pose, mean_velocity, sole_yaw
 from .disturbances import PUSH_DURATION
 from .errors import InputError
 from .given import Settings
-from .render import PUSH_SHOWN, crosses, push_arrow, sole_outline, stride, velocity_words
+from .render import PUSH_COLOUR, PUSH_SHOWN, crosses, push_arrow, sole_outline, stride, velocity_words
 from .robots import Robot
 from .robots.polygon import convex_hull
 from .simulation import Recorder, WalkingController
@@ -58,6 +58,7 @@ LEGEND = {
     "dcm": ((0.45, 0.2, 0.7, 1.0), "DCM"),
     "polygon": ((0.0, 0.45, 0.7, 1.0), "support"),
     "steps": ((0.0, 0.62, 0.45, 1.0), "next steps"),
+    "push": (PUSH_COLOUR, "push"),
 }
 
 
@@ -359,7 +360,9 @@ class LiveWalk:
         words = {
             self._description.name: f"{out.t:.2f} s{self._state()}",
             **velocity_words(np.array(self.steering.command), self.velocity),
-            "ZMP": f"{x:+.0f} mm ahead, {y:+.0f} mm left of the {side} sole's centre"
+            "ZMP": f"{abs(x):.0f} mm {'ahead' if x >= 0 else 'behind'}, "
+            f"{abs(y):.0f} mm {'left' if y >= 0 else 'right'} "
+            f"of the {side} sole's centre"
             if math.isfinite(x + y)
             else "no foot carries",
             "push": f"{self.strength:.2f} N s/kg, {self.strength * self.controller.mass:.0f} N s",

@@ -23,7 +23,20 @@ from .figures.iteration import iteration
 from .figures.position import lateral, sagittal
 from .figures.pushes import pushes
 from .figures.robustness import robustness
-from .figures.style import BOUND, COM, DESIRED, ESTIMATED, FAINT, MEASURED, PLANNED, SOLE, STYLE, WIDTH, WalkFigure
+from .figures.style import (
+    BOUND,
+    COM,
+    DESIRED,
+    ESTIMATED,
+    FAINT,
+    MEASURED,
+    PLANNED,
+    RIGHT_SOLE,
+    SOLE,
+    STYLE,
+    WIDTH,
+    WalkFigure,
+)
 from .figures.sweep import sweep
 from .figures.switch import switch
 from .figures.velocity import tracking, velocity
@@ -41,6 +54,7 @@ __all__ = [
     "FILES",
     "MEASURED",
     "PLANNED",
+    "RIGHT_SOLE",
     "SOLE",
     "STYLE",
     "WIDTH",

@@ -292,7 +292,7 @@ def _kinds(weight: float, start: float, settings: Any) -> list[_Kind]:
             "yaw torque, 0.1 s", "N m", [round(unit * level, 1) for level in (50, 100, 150, 200, 300)],
             round(unit * 200, 1), lambda level: {"push": [Push(start, 0.1, None, (0, 0, 0, 0, 0, level))]},
         ),
-        _Kind("noise", "x 1", [0.5, 1.0, 1.5, 2.0, 3.0], 2.0, unsure("noise"), SEEDS),
+        _Kind("noise", "times that of usual sensors", [0.5, 1.0, 1.5, 2.0, 3.0], 2.0, unsure("noise"), SEEDS),
         _Kind("roll bias, to the right", "degrees", [0.5, 1.0, 2.0, 3.0], 2.0, degrees("roll_bias", 1.0)),
         _Kind("pitch bias, forward", "degrees", [0.5, 1.0, 2.0, 3.0], 2.0, degrees("pitch_bias", 1.0)),
         _Kind("pitch bias, backward", "degrees", [0.5, 1.0, 2.0, 3.0], 2.0, degrees("pitch_bias", -1.0)),
@@ -300,13 +300,13 @@ def _kinds(weight: float, start: float, settings: Any) -> list[_Kind]:
         _Kind("state delay", "s", [0.002, 0.004, 0.008, 0.012, 0.016, 0.024], 0.008, unsure("state_delay")),
         _Kind("drive lag", "s", [0.002, 0.005, 0.010, 0.015, 0.020, 0.030], 0.010, unsure("lag")),
         _Kind("control rate", "Hz", [500.0, 250.0, 200.0, 125.0, 100.0], 250.0, rate),
-        _Kind("heavier than known", "x", [1.1, 1.2, 1.3, 1.4], 1.2, unsure("mass")),
-        _Kind("lighter than known", "x", [0.9, 0.8, 0.7, 0.6], 0.8, unsure("mass")),
-        _Kind("each link, at random", "+-", [0.1, 0.2, 0.3, 0.4], 0.2, unsure("links"), SEEDS),
+        _Kind("heavier than known", "times its mass", [1.1, 1.2, 1.3, 1.4], 1.2, unsure("mass")),
+        _Kind("lighter than known", "times its mass", [0.9, 0.8, 0.7, 0.6], 0.8, unsure("mass")),
+        _Kind("each link, at random", "± of its mass", [0.1, 0.2, 0.3, 0.4], 0.2, unsure("links"), SEEDS),
         _Kind("each COM, at random", "m", [0.01, 0.02, 0.03, 0.04], 0.02, unsure("com"), SEEDS),
         _Kind("dry friction, joints", "N m", newton_metre, math.nan, unsure("dry_friction")),
         _Kind("ground friction", "", [0.6, 0.4, 0.3, 0.2, 0.15, 0.1], 0.2, unsure("ground_friction")),
-        _Kind("all of it together", "strength", [0.25, 0.5, 0.75, 1.0], 0.5, together, SEEDS),
+        _Kind("all of it together", "share of its full strength", [0.25, 0.5, 0.75, 1.0], 0.5, together, SEEDS),
     ]  # fmt: skip
 
 

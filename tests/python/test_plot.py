@@ -5,6 +5,7 @@ import sys
 
 import numpy as np
 import pytest
+import zmpwalk
 from matplotlib.figure import Figure
 from zmpwalk import InputError, Trace, plot
 from zmpwalk.figures.curves import spans
@@ -87,7 +88,7 @@ def test_iteration_replays_the_paper_s_loop(made_up_trace):
         step = trace.zmp_slope[k, axis] * (reference[n + 1] - reference[n])
         assert estimate[n + 1] - estimate[n] == pytest.approx(step)
     assert abs(estimate[-1] - desired) < 1.0
-    assert f"t = {trace.t[k]:.3f} s" in figure._suptitle.get_text()
+    assert f"at {trace.t[k]:.3f} s" in figure._suptitle.get_text()
 
 
 def test_iteration_counts_the_passes_that_the_contraction_needs(made_up_trace, made_up_columns, made_up):
@@ -160,7 +161,9 @@ def test_long_walk_is_cut_to_ten_seconds_and_a_fall_shows_its_end(made_up_column
     long["t"] = 0.001 * np.arange(16000)
     stood, fell = Trace(long, made_up.meta()), Trace(long, made_up.meta(fell=True, fall_time=15.9))
     assert stood.plot("velocity").axes[0].get_xlim() == pytest.approx((0, 10), abs=0.01)
-    assert fell.plot("velocity").axes[0].get_xlim() == pytest.approx((6, 16), abs=0.01)
+    assert fell.plot("velocity").axes[0].get_xlim() == pytest.approx(
+        (6, 16.1), abs=0.01
+    )  # the line of the fall is seen
     assert stood.plot("velocity", start=0).axes[0].get_xlim() == pytest.approx((0, 16), abs=0.01)
     assert "of 16 s" in stood.plot("sagittal")._suptitle.get_text()
 
@@ -271,10 +274,34 @@ def test_compare_marks_where_a_walk_fell(made_up_columns, made_up):
     fell = Trace(short, made_up.meta(fell=True, fall_time=3.999))
     figure = plot.compare({"a": Trace(made_up_columns, made_up.meta()), "b": fell})
     for ax in figure.axes:
-        marks = [one for one in ax.get_lines() if one.get_marker() == "X"]
-        assert [mark.get_xdata()[0] for mark in marks] == [pytest.approx(3.999, abs=0.02)]
-    assert "b (fell at 4.00 s)" in [text.get_text() for text in figure.axes[0].get_legend().get_texts()]
+        upright = [list(one.get_xdata()) for one in ax.get_lines() if list(one.get_ydata()) == [0, 1]]
+        assert upright == [[3.999, 3.999]]
+    assert "b fell, 4.00 s" in [text.get_text() for text in figure.axes[0].get_legend().get_texts()]
     assert figure.axes[0].get_xlim() == pytest.approx((0, 8), abs=0.01)
+
+
+def test_compare_says_what_differs_and_when_was_pushed():
+    push = zmpwalk.Push.impulse(0.5, (0.0, 5.0, 0.0))
+    walks = {
+        str(gain): zmpwalk.simulate(duration=1.0, push=push, settings={"tracker_gain": gain}) for gain in (2.0, 4.0)
+    }
+    figure = plot.compare(walks)
+    assert figure.get_suptitle() == "2 walks compared, which differ in: tracker gain 2, 4"
+    assert "push, 0.50 s" in [text.get_text() for text in figure.axes[0].get_legend().get_texts()]
+    assert plot.compare({"a": walks["2.0"], "b": walks["2.0"]}).get_suptitle().endswith("equal profile and settings")
+
+
+def test_figures_over_time_say_when_the_robot_was_pushed_and_when_it_fell():
+    pushed = zmpwalk.simulate(profile=0.2, duration=3.0, push=[(1.5, 0.08, None, (0.0, 1500.0, 0.0))], on_fall="go_on")
+    for name in ("velocity", "sagittal", "lateral", "estimate"):
+        legend = pushed.plot(name).axes[0].get_legend()
+        words = [text.get_text() for text in legend.get_texts()]
+        assert "push, 1.50 s" in words, name
+        assert f"fell, {pushed.fall.time:.2f} s" in words, name
+    words = [text.get_text() for text in pushed.plot("footprints").axes[0].get_legend().get_texts()]
+    assert "push, 1.50 s" in words and any(word.startswith("fell, ") for word in words)
+    start, end = pushed.plot("tracking").axes[0].get_xlim()
+    assert end - start == pytest.approx(0.5, abs=0.01)  # about a change of the plan, or the end, not of the fall
 
 
 def test_compare_says_what_is_wrong(made_up_trace):

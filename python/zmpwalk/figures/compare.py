@@ -11,17 +11,18 @@ from matplotlib.figure import Figure
 
 from ..errors import InputError, nearest
 from ..trace import COLUMNS, Trace
-from .curves import LONGEST, end_of, limits
-from .style import FAINT, SERIES, SERIES_DASHES, legend_above, new_figure, styled, title
+from .curves import LONGEST, end_of, happened, limits
+from .style import FAINT, PUSH, SERIES, SERIES_DASHES, legend_above, new_figure, styled, title
 
 QUANTITIES = {
-    "velocity": "COM, forward\n[m/s]",
-    "sideways": "COM, leftward\n[m]",
+    "velocity": "forward velocity\nof the COM [m/s]",
+    "sideways": "place of the COM,\nleftward [m]",
     "zmp": "estimated ZMP,\nforward of COM [mm]",
-    "estimate": "|estimated − mea-\nsured ZMP| [mm]",
+    "estimate": "error of the ZMP\nestimate [mm]",
     "torque": "largest torque\n[% of its limit]",
 }
 COMPARED = ("velocity", "sideways", "estimate", "torque")  # unless asked for others
+MOST_WORDS = 3  # about what differs, in a title
 CALM = 0.01  # within which the largest of torque and error is taken [s]
 
 
@@ -35,7 +36,8 @@ def compare(
 ) -> Figure:
     """Two or more walks over time in one figure, each in its colour.
 
-    A cross marks where a walk fell. Dotted lines are planned velocities.
+    Vertical lines say where a walk was pushed, and in its colour where it fell. Dotted lines are planned velocities.
+    The title says what differs between the walks' profiles and settings.
 
     Args:
         traces: what each walk is called, and its trace.
@@ -71,15 +73,49 @@ def compare(
     for ax, name in zip(panels, names):
         _panel(ax, name, traces, low, high)
     panels[-1].set_xlabel("time [s]")
+    pushes = {
+        at for trace in traces.values() for at, word, _ in happened(trace) if word == "push" and low <= at <= high
+    }
+    for at in sorted(pushes):
+        words = f"push, {at:.2f} s" if len(pushes) == 1 else f"{len(pushes)} pushes"
+        for k, ax in enumerate(panels):
+            ax.axvline(at, color=PUSH, lw=1.0, zorder=0.8, label=words if k == 0 and at == min(pushes) else "_")
     legend_above(panels[0], 4)
     figure.align_ylabels(panels)
-    title(figure, axes, f"{len(traces)} walks compared")
+    if len(traces) == 1:
+        title(figure, axes, f"The walk '{next(iter(traces))}'")
+    else:
+        title(figure, axes, f"{len(traces)} walks compared, {_difference(traces)}")
     return figure
+
+
+def _difference(traces: Mapping[str, Trace]) -> str:
+    """What the walks do not have in common, as far as a title holds it."""
+    tables: list[dict[str, Any]] = []
+    for trace in traces.values():
+        settings = trace.meta.get("settings") or {}
+        given = {name: trace.meta.get(name) for name in ("robot", "profile", "push", "terrain")}
+        tables.append({**given, **settings})
+    names = [name for name in tables[0] if any(repr(table.get(name)) != repr(tables[0][name]) for table in tables[1:])]
+    words = [name for name in names if name in ("robot", "profile", "push", "terrain")]
+    for name in names:
+        values = [table.get(name) for table in tables]
+        if name not in words and all(isinstance(value, (int, float, str)) for value in values):
+            words.append(
+                f"{name.replace('_', ' ')} {', '.join(f'{v:.4g}' if isinstance(v, float) else str(v) for v in values)}"
+            )
+    if not words:
+        return "with equal profile and settings"
+    return (
+        "which differ in: "
+        + "; ".join(words[:MOST_WORDS])
+        + (f" and {len(words) - MOST_WORDS} more" if len(words) > MOST_WORDS else "")
+    )
 
 
 def _panel(ax: Axes, name: str, traces: Mapping[str, Trace], low: float, high: float) -> None:
     shown: list[np.ndarray] = []
-    ends: list[tuple[float, float, str]] = []  # of the walks that fell: time, value, colour
+    plans: list[np.ndarray] = []
     for i, (label, trace) in enumerate(traces.items()):
         rows = slice(*np.searchsorted(trace.t, (low - 1e-9, high + 1e-9)))
         look: dict[str, Any] = {"color": SERIES[i % len(SERIES)], "ls": SERIES_DASHES[i % len(SERIES_DASHES)]}
@@ -89,16 +125,16 @@ def _panel(ax: Axes, name: str, traces: Mapping[str, Trace], low: float, high: f
         if name in ("torque", "estimate"):
             t, values = _largest(t, values, max(1, round(CALM / trace.control_dt)))
         if name == "velocity":
-            ax.step(t, trace.v_plan[rows, 0], where="post", color=look["color"], ls=":", lw=0.9, label="_planned")
-        fell = trace.meta.get("fall_time") if trace.meta.get("fell") else None
-        falls = fell is not None and low <= float(fell) <= high
-        words = f"{label} (fell at {float(fell):.2f} s)" if falls and fell is not None else label
-        ax.plot(t, values, lw=1.3, label=words, **look)
-        if falls and np.isfinite(values).any():
-            k = np.flatnonzero(np.isfinite(values))[-1]
-            ends.append((float(t[k]), float(values[k]), look["color"]))
-        calm = t < _trouble(trace)  # a fall would flatten all the rest
-        shown.append(values[calm] if calm.any() else values)
+            plan = trace.v_plan[rows, 0]
+            if not any(np.array_equal(plan, known) for known in plans):
+                words = "_" if plans else "planned"
+                ax.step(t, plan, where="post", color=FAINT, ls=":", lw=1.1, label=words, zorder=1)
+            plans.append(plan)
+        ax.plot(t, values, lw=1.3, label=label, **look)
+        for at, word, _ in happened(trace):
+            if word == "fell" and low <= at <= high:
+                ax.axvline(at, color=look["color"], lw=1.8, ls="-.", zorder=1, label=f"{label} fell, {at:.2f} s")
+        shown.append(values)
     if not shown:
         raise InputError(f"nothing to compare from {low:g} to {high:g} s: every walk ends before, or begins after")
     ax.set_ylabel(QUANTITIES.get(name) or label_of(name))
@@ -107,17 +143,8 @@ def _panel(ax: Axes, name: str, traces: Mapping[str, Trace], low: float, high: f
         ax.set_yscale("log")
     else:
         ax.set_ylim(*limits(*shown))
-    for at, value, colour in ends:  # at the rim where the fall went beyond it
-        inside = min(max(value, ax.get_ylim()[0]), ax.get_ylim()[1])
-        ax.plot(at, inside, marker="X", ms=7, color=colour, mec="black", mew=0.6, ls="", clip_on=False, zorder=6)
     if name == "torque" and ax.get_ylim()[1] > 100:
         ax.axhline(100, color=FAINT, lw=0.8, ls="--")
-
-
-def _trouble(trace: Trace) -> float:
-    """When a fall begins to show [s]; infinity where there is none."""
-    known = [trace.meta.get(key) for key in ("fall_time", "alarm_time")] if trace.meta.get("fell") else []
-    return min((float(t) - 0.3 for t in known if t is not None), default=math.inf)
 
 
 def values_of(trace: Trace, name: str, label: str) -> np.ndarray:

@@ -3,13 +3,28 @@
 from __future__ import annotations
 
 import math
+from typing import Any, Iterator
 
 import numpy as np
 from matplotlib.axes import Axes
 
 from ..errors import InputError
 from ..trace import Trace
-from .style import BOUND, COM, DASHES, DESIRED, DOTS, DOUBLE_SUPPORT, ESTIMATED, MEASURED_BAND, PLANNED, SOLE, SOLE_FILL
+from .style import (
+    BOUND,
+    COM,
+    DASHES,
+    DESIRED,
+    DOTS,
+    DOUBLE_SUPPORT,
+    ESTIMATED,
+    FAINT,
+    MEASURED_BAND,
+    PLANNED,
+    PUSH,
+    SOLE,
+    SOLE_FILL,
+)
 
 LONGEST = 10.0  # of a walk that is drawn unless asked for more [s]
 
@@ -38,13 +53,50 @@ def excerpt(trace: Trace, rows: slice) -> str:
     """What a title adds where it is not the whole walk that is drawn."""
     t = trace.t[rows]
     whole = len(t) == len(trace.t)
-    return "" if whole else f" ({t[0]:.3g} to {t[-1]:.3g} s of {trace.duration:g} s)"
+    part = "" if whole else f" ({t[0]:.3g} to {t[-1]:.3g} s of {trace.duration:.4g} s)"
+    fell = None if trace.fall is None else trace.fall.time
+    return part if fell is None else f"{part}; it fell at {fell:.2f} s"
+
+
+def happened(trace: Trace) -> Iterator[tuple[float, str, dict[str, Any]]]:
+    """What befell the robot: the instant [s], its word, and how its line looks."""
+    for push in trace.meta.get("push") or ():
+        yield float(push[0]), "push", {"color": PUSH, "ls": "-", "lw": 1.2}
+    fall = trace.fall
+    if fall is not None and fall.foreseen is not None:
+        yield float(fall.foreseen), "fall foreseen", {"color": FAINT, "ls": "--", "lw": 1.2}
+    if fall is not None and fall.time is not None:
+        yield float(fall.time), "fell", {"color": FAINT, "ls": "-", "lw": 1.8}
+
+
+def walked_until(trace: Trace) -> float:
+    """When the robot stopped walking, because its fall was foreseen or because it fell [s]; else infinity."""
+    known = [] if trace.fall is None else [t for t in (trace.fall.foreseen, trace.fall.time) if t is not None]
+    return min(known, default=math.inf)
+
+
+def events(trace: Trace, rows: slice, *axes: Axes) -> None:
+    """Vertical lines through the axes where the robot was pushed, where its fall was foreseen and where it fell."""
+    t = trace.t[rows]
+    words: dict[str, list[float]] = {}
+    for at, word, _ in happened(trace):
+        if t[0] <= at <= t[-1] + trace.control_dt:
+            words.setdefault(word, []).append(at)
+    for at, word, look in happened(trace):
+        known = words.get(word, [])
+        if at not in known:
+            continue
+        label = f"{word}, {at:.2f} s" if len(known) == 1 else f"{word}: {len(known)} times"
+        for k, ax in enumerate(axes):
+            ax.axvline(at, zorder=0.8, label=label if k == 0 and at == known[0] else "_", **look)
 
 
 def share_time(trace: Trace, rows: slice, *axes: Axes) -> None:
     """The axes go from the first row drawn to the end of the last."""
     for ax in axes:
-        ax.set_xlim(trace.t[rows][0], trace.t[rows][-1] + trace.control_dt)
+        first, last = float(trace.t[rows][0]), float(trace.t[rows][-1])
+        fell = trace.fall is not None and trace.fall.time is not None
+        ax.set_xlim(first, last + (0.01 * (last - first) if fell else trace.control_dt))  # so that its line is seen
 
 
 def spans(mask: np.ndarray) -> list[slice]:
@@ -81,11 +133,14 @@ def soles(ax: Axes, trace: Trace, rows: slice, i: int) -> None:
         half = foot["length" if i == 0 else "width"] / 2
         place = trace[f"foot_{name}"][rows, i]
         down = (trace.phase[rows] == 0) | ((trace.support[rows] > 0) == (side == 0))
+        down &= trace.t[rows] < walked_until(trace)
         for span in spans(down):
             t, x = trace.t[rows][span], place[span]
-            ax.fill_between(t, x - half, x + half, facecolor=SOLE_FILL, lw=0, zorder=0.5, label=label)
+            ax.fill_between(t, x - half, x + half, facecolor=SOLE_FILL, lw=0, zorder=0.5)
             for edge in (x - half, x + half):
                 ax.plot(t, edge, color=SOLE, lw=0.7, zorder=0.6)
+            if label != "_":
+                ax.fill_between([], [], [], facecolor=SOLE_FILL, edgecolor=SOLE, lw=0.7, label=label)
             edges += [x - half, x + half]
             label = "_"
     if edges:
@@ -118,6 +173,7 @@ def zmp_and_com(
     )
     for bound, label in ((low, "ZMP bounds"), (high, "_")):
         ax.step(t, bound, where="post", color=BOUND, lw=1.3, zorder=1.5, label=label)
+    measured = np.where(t < walked_until(trace), measured, np.nan)  # of a robot that lies down it says nothing
     drawn = [low, high, desired]
     if origin is None:
         drawn.append(trace.com[rows, i])
@@ -125,11 +181,10 @@ def zmp_and_com(
     bottom, top = limits(*drawn)
     if ax.get_autoscaley_on() is False:  # the soles are there already
         bottom, top = min(bottom, ax.get_ylim()[0]), max(top, ax.get_ylim()[1])
-    cut = (
-        " (spikes cut)"
-        if np.nanmax(measured, initial=bottom) > top or np.nanmin(measured, initial=top) < bottom
-        else ""
-    )
+    is_cut = np.nanmax(measured, initial=bottom) > top or np.nanmin(measured, initial=top) < bottom
+    cut = " (spikes cut)" if is_cut and origin is None else ""
+    if is_cut and origin is not None:
+        ax.set_ylabel(f"{ax.get_ylabel()},\nspikes cut")
     ax.plot(t, measured, color=MEASURED_BAND, lw=4.0, zorder=2, solid_capstyle="butt", label=f"measured ZMP{cut}")
     ax.plot(t, estimated, color=ESTIMATED, lw=1.6, zorder=3, label="estimated ZMP")
     ax.plot(t, desired, color=DESIRED, lw=1.4, ls=DOTS, zorder=4, label="desired ZMP")

@@ -9,11 +9,12 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ..trace import Trace
-from .curves import LONGEST, double_support_bars, excerpt, share_time, window
-from .style import COM, DESIRED, ESTIMATED, FAINT, legend_above, new_figure, nothing_to_draw, styled, title
+from .curves import LONGEST, double_support_bars, events, excerpt, share_time, window
+from .style import COM, DESIRED, ESTIMATED, FAINT, MEASURED, legend_above, new_figure, nothing_to_draw, styled, title
 
 LEAST = 1e-6  # of an error that is drawn [mm]: below it is rounding
-PHASES = ((1, "single support", ESTIMATED, "-"), (0, "double support", DESIRED, (0, (4, 1.5))))
+APART = 0.15  # of two notes, share of the height of their axes
+PHASES = ((1, "single support", MEASURED, "-"), (0, "double support", DESIRED, (0, (4, 1.5))))
 
 
 @styled
@@ -51,32 +52,38 @@ def estimate(trace: Trace, start: float | None = None, end: float | None = None,
         over_time.semilogy(trace.t[rows], error, color=ESTIMATED, lw=0.8, label="|estimated − measured ZMP|")
         known = error[np.isfinite(error)]
         median, most = np.percentile(known, (50, 95))
-        for value, dashes, name in ((median, "-", "median"), (most, (0, (3, 2)), "95th percentile")):
-            over_time.axhline(value, color=COM, lw=0.9, ls=dashes, zorder=3, label=name if i == 0 else "_")
-            _note(over_time, f"{value:.2g} mm", value, 0.005, (1, 2))
+        lines = [(median, "-", "median"), (most, (0, (3, 2)), "95 % are below")]
         if np.isfinite(sole[i]):
-            over_time.axhline(sole[i], color=FAINT, lw=0.9, ls=":")
-            _note(over_time, f"the sole ends {sole[i]:.0f} mm from its centre", sole[i], 0.3, (0, -9))
+            lines.append((sole[i], ":", "edge of the sole"))
+        for value, dashes, name in lines:
+            colour = COM if value != sole[i] else FAINT
+            for ax in (over_time, share):
+                ax.axhline(value, color=colour, lw=0.9, ls=dashes, zorder=3, label=name if i == 0 else "_")
         over_time.set_ylabel(f"error {word} [mm]")
         _distribution(share, error, trace.phase[rows])
         low, high = np.percentile(known, 0.5), max(known.max(), sole[i] if np.isfinite(sole[i]) else 0.0)
         over_time.set_ylim(max(low / 3, LEAST / 2), 2.0 * high)
         share.set_ylim(over_time.get_ylim())
+        _notes(share, [(value, name) for value, _, name in lines])
+        events(trace, rows, over_time)
         share_time(trace, rows, over_time)
     grid[2].set_xlabel("time [s]")
     grid[3].set_xlabel("share of cycles\nwith less error [%]")
     legend_above(grid[0], 2)
-    legend_above(grid[1], 1)
+    legend_above(grid[1], 1, skip=("median", "95 % are below", "edge of the sole"))
     figure.align_ylabels([grid[0], grid[2]])
-    title(figure, axes, "How true is the estimate of the ZMP?" + excerpt(trace, rows))
+    title(figure, axes, "How true the estimate of the ZMP is" + excerpt(trace, rows))
     return figure
 
 
-def _note(ax: Axes, words: str, y: float, along: float, offset: tuple[float, float]) -> None:
-    """Small words beside a horizontal line at `y`, on white, `along` the axis, shifted by some points."""
-    box: Any = {"facecolor": "white", "edgecolor": "none", "alpha": 0.85, "pad": 0.8}
-    at, place = ax.get_yaxis_transform(), (along, y)
-    ax.annotate(words, place, offset, at, "offset points", bbox=box, fontsize=7, zorder=6)
+def _notes(ax: Axes, lines: list[tuple[float, str]]) -> None:
+    """Small words at the right ends of horizontal lines, one above the other where the lines are close."""
+    low, high = np.log(ax.get_ylim())
+    above = -np.inf
+    for value, name in sorted(lines):
+        above = max((np.log(value) - low) / (high - low), above + APART)
+        words = f"{name}:\n{value:.2g} mm" if value < 10 else f"{name}:\n{value:.0f} mm"
+        ax.annotate(words, (1.0, above), (3, 0), "axes fraction", "offset points", fontsize=7, va="center")
 
 
 def _distribution(ax: Axes, error: np.ndarray, phase: np.ndarray) -> None:

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import importlib
 from typing import Any, List, Mapping, Sequence, Tuple
 
 import numpy as np
 
-from ..errors import InputError
+from ..errors import InputError, needed
 from ..trace import Trace
 from .compare import COMPARED, QUANTITIES, label_of, values_of
 from .curves import end_of
@@ -55,11 +54,9 @@ def interactive(
     if not low < high:
         raise InputError(f"nothing to draw from {low:g} to {high:g} s")
     panels = _panels_of_one(named[""]) if one else _panels_of_several(named, quantities)
-    try:
-        graph = importlib.import_module("plotly.graph_objects")
-        subplots = importlib.import_module("plotly.subplots")
-    except ImportError:
-        raise ImportError('an interactive figure needs plotly: pip install "zmpwalk[interactive]"') from None
+    graph, subplots = (
+        needed(f"plotly.{part}", "an interactive figure", "plotly") for part in ("graph_objects", "subplots")
+    )
     figure = subplots.make_subplots(rows=len(panels), shared_xaxes=True, vertical_spacing=0.03)
     known: set[str] = set()
     for row, (label, lines) in enumerate(panels, 1):
@@ -73,7 +70,7 @@ def interactive(
             figure.add_trace(shown, row=row, col=1)
             known.add(name)
         figure.update_yaxes(title_text=label.replace("\n", "<br>"), row=row, col=1)
-        if "ZMP|" in label:
+        if label == QUANTITIES["estimate"]:
             figure.update_yaxes(type="log", row=row, col=1)
     figure.update_xaxes(title_text="time [s]", row=len(panels), col=1)
     figure.update_layout(

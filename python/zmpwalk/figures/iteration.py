@@ -69,7 +69,8 @@ def iteration(
     marker = "o" if len(n) <= 40 else ""
 
     band = f"within {threshold:g} mm"
-    left.axhspan(desired - threshold, desired + threshold, color=DESIRED, alpha=0.15, lw=0, label=band)
+    if threshold > 0.02 * np.ptp(desired - error):  # otherwise it is thinner than a line
+        left.axhspan(desired - threshold, desired + threshold, color=DESIRED, alpha=0.15, lw=0, label=band)
     left.axhline(desired, color=DESIRED, label="desired ZMP")
     if np.ptp(reference) < 3 * np.ptp(desired - error):  # of slow iterations it goes metres away
         square = "s" if marker else ""
@@ -88,7 +89,7 @@ def iteration(
         ax.xaxis.set_major_locator(MaxNLocator(6, integer=True))
         ax.set_xlim(1 - 0.04 * len(n), len(n) + 0.04 * len(n))
     passes = "1 pass" if needed == 1 else f"{needed} passes" if needed < MOST_PASSES else f"over {MOST_PASSES} passes"
-    title(figure, axes, f"ZMP iteration of the cycle at t = {trace.t[k]:.3f} s: {passes} to the threshold")
+    title(figure, axes, f"The paper's loop for the ZMP, at {trace.t[k]:.3f} s: {passes} to the threshold")
     return figure
 
 

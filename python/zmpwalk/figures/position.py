@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from ..trace import Trace
-from .curves import LONGEST, double_support_bars, excerpt, share_time, soles, window, zmp_and_com
+from .curves import LONGEST, double_support_bars, events, excerpt, share_time, soles, window, zmp_and_com
 from .style import legend_above, new_figure, styled, title
 
 
@@ -36,12 +36,13 @@ def sagittal(trace: Trace, start: float | None = None, end: float | None = None,
     soles(world, trace, rows, 0)
     zmp_and_com(world, trace, rows, 0)
     world.set_ylabel("position, forward [m]")
-    legend_above(world, 4)
     centre = np.where(trace.support > 0, trace.foot_left[:, 0], trace.foot_right[:, 0])
     centre[trace.phase == 0] = np.nan  # two soles
+    sole.set(xlabel="time [s]", ylabel="ZMP from support sole\nin single support [mm]")
     zmp_and_com(sole, trace, rows, 0, centre, unit=1e3)
-    sole.set(xlabel="time [s]", ylabel="ZMP from support sole [mm]")
+    events(trace, rows, world, sole)
     share_time(trace, rows, world, sole)
+    legend_above(world, 4)
     figure.align_ylabels([world, sole])
     title(figure, axes, "COM and ZMP, forward" + excerpt(trace, rows))
     return figure
@@ -70,6 +71,7 @@ def lateral(trace: Trace, start: float | None = None, end: float | None = None, 
     soles(ax, trace, rows, 1)
     zmp_and_com(ax, trace, rows, 1)
     ax.set(xlabel="time [s]", ylabel="position, leftward [m]")
+    events(trace, rows, ax)
     share_time(trace, rows, ax)
     legend_above(ax, 4)
     title(figure, axes, "COM and ZMP, sideways" + excerpt(trace, rows))

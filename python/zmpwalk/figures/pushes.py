@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.patheffects import withStroke
 from matplotlib.ticker import MaxNLocator
 
 from ..errors import InputError
@@ -64,11 +65,11 @@ def pushes(push_map: Any, axes: Any = None) -> Figure:
         bound = np.append(push_map.pendulum[i], push_map.pendulum[i, 0])
         fine = np.linspace(0.0, 2.0 * np.pi, 361)
         filled = np.minimum(np.interp(fine, around - around[0], bound), rim)
-        ax.fill(fine + around[0], filled, color=BOUND, alpha=0.25, lw=0, label="the pendulum's limit")
+        ax.fill(fine + around[0], filled, color=BOUND, alpha=0.25, lw=0, label="pendulum's limit, cut at the rim")
         for stance, felling in zip(push_map.stances, push_map.felling[:, i]):
             colour, look = LOOKS[stance]
             closed = np.append(felling, felling[0])
-            name = f"{stance} stance" if np.isfinite(push_map.period) else "standing"
+            name = f"fells it, {stance} foot standing" if np.isfinite(push_map.period) else "fells it"
             ax.plot(around, closed, look, color=colour, ms=2.5, lw=1.0, label=name)
             beyond = np.isnan(felling)
             ax.plot(around[:-1][beyond], np.full(beyond.sum(), rim), "o", mfc="none", mec=colour, ms=5, clip_on=False)
@@ -77,14 +78,20 @@ def pushes(push_map: Any, axes: Any = None) -> Figure:
         ax.yaxis.set_major_locator(MaxNLocator(3))
         ax.set_rlabel_position(150)
         ax.tick_params(labelsize=6, pad=-2)
+        for label in ax.get_yticklabels():
+            label.set_path_effects([withStroke(linewidth=2, foreground="white")])
         sides = ("out", "in") if np.isfinite(push_map.period) else ("left", "right")
         ax.set_xticks(np.radians([0, 90, 180, 270]), ["forward", sides[0], "back", sides[1]])
         ax.grid(lw=0.4, color=FAINT, alpha=0.5)
         worst = push_map.felling[:, i]
-        least = f"{np.nanmin(worst):.2f}" if np.isfinite(worst).any() else f"> {push_map.limit:g}"
+        least = f"{np.nanmin(worst):.2f} N s/kg" if np.isfinite(worst).any() else f"over {push_map.limit:g} N s/kg"
         phase = push_map.phases[i]
-        where = f"phase {phase:.3g}, {push_map.support(phase)} support" if np.isfinite(push_map.period) else "standing"
-        ax.set_title(f"{where}\nworst {least}", fontsize=8, pad=8)
+        where = (
+            f"{phase:.3g} of a step after lift-off,\n{push_map.support(phase)} support"
+            if np.isfinite(push_map.period)
+            else "standing"
+        )
+        ax.set_title(f"{where}\nworst {least}", fontsize=7.5, pad=8)
     if axes is not None:
         return figure
     handles, labels = panels[0].get_legend_handles_labels()
@@ -92,8 +99,8 @@ def pushes(push_map: Any, axes: Any = None) -> Figure:
     v = push_map.velocity
     speed = " / ".join(f"{value:g}" for value in (v if any(v[1:]) else v[:1]))
     figure.suptitle(
-        f"{push_map.robot} at {speed} m/s: impulse that fells [N s/kg]", x=0.012, ha="left", fontsize=10,
-        fontweight="bold", y=1.0 - 0.08 / height, va="top",
+        f"{push_map.robot} at {speed} m/s: the smallest impulse that fells it, by its direction [N s/kg]",
+        x=0.012, ha="left", fontsize=10, fontweight="bold", y=1.0 - 0.08 / height, va="top",
     )  # fmt: skip
     note = (
         f"A force of {push_map.duration:g} s on the body '{push_map.body}', {push_map.mass:.1f} kg: "

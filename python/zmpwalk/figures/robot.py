@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import textwrap
 from typing import Any
 
@@ -41,6 +42,7 @@ def draw(model: mujoco.MjModel, proposal: Proposal) -> Figure:
     Usage: `draw(model, zmpwalk.propose(model)).savefig("robot.png")`
     """
     data, table = mujoco.MjData(model), proposal.table
+    model = _lit(model)
     proposal.description.place(model, data)
     figure = WalkFigure(figsize=(WIDTH, 3.7), layout="constrained")
     FigureCanvasAgg(figure)
@@ -50,9 +52,18 @@ def draw(model: mujoco.MjModel, proposal: Proposal) -> Figure:
         views[name].set_title(name, fontsize=9)
         views[name].set_axis_off()
     _soles(views["above"], model, data, proposal)
-    size = f"{table['mass_kg']:.2f} kg, COM {table['com_height_m']:.3f} m over the soles, T_c {table['T_c_s']:.3f} s"
+    size = f"{table['mass_kg']:.2f} kg, COM {table['com_height_m']:.3f} m over the soles"
     figure.suptitle(f"{table['name']}: {size}", x=0.012, ha="left", fontsize=10, fontweight="bold")
     return figure
+
+
+def _lit(model: mujoco.MjModel) -> mujoco.MjModel:
+    """The model with light from the camera, where it would be dark: not every robot's file has lamps and a sky."""
+    lit = copy.copy(model)
+    if lit.nlight == 0 or not any(texture == mujoco.mjtTexture.mjTEXTURE_SKYBOX for texture in lit.tex_type):
+        lit.vis.headlight.ambient[:], lit.vis.headlight.diffuse[:] = 0.45, 0.6
+        lit.vis.rgba.fog[:] = lit.vis.rgba.haze[:] = 1.0
+    return lit
 
 
 def _render(model: mujoco.MjModel, data: mujoco.MjData, proposal: Proposal, axes: list[Axes]) -> None:
@@ -90,7 +101,7 @@ def _soles(ax: Axes, model: mujoco.MjModel, data: mujoco.MjData, proposal: Propo
         corners = centre + _rectangle(-half, half) @ R.T
         fill(corners, facecolor=SOLE, alpha=0.18, lw=0)
         size = f"{1e3 * foot.length:.0f} × {1e3 * foot.width:.0f} mm"
-        fill(corners, facecolor="none", edgecolor=SOLE, lw=1.2, label=label + f"sole, {size}")
+        fill(corners, facecolor="none", edgecolor=SOLE, lw=1.2, label=label + f"rectangle taken as the sole, {size}")
         if bounds:
             box = centre + _rectangle(*bounds[word]) @ R.T
             fill(box, facecolor=BOUND, edgecolor=BOUND, alpha=0.45, lw=0.8, label=label + "bounds of the ZMP")

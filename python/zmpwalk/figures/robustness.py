@@ -60,6 +60,9 @@ def robustness(found: Any, axes: Any = None) -> Figure:
         f"{found.robot} at {found.velocity:g} m/s: what the walk bears", x=0.012, y=1.0 - 0.08 / height, ha="left",
         va="top", fontsize=10, fontweight="bold",
     )  # fmt: skip
-    note = "green: it stood; orange: it fell, or lost its speed or its path; framed: the level that it should bear"
+    note = (
+        "green: it stood; orange: it fell, or lost its speed or its path; both: the green part of the walks stood; "
+        "framed: the level that it should bear"
+    )
     figure.text(0.012, 0.08 / height, note, fontsize=7, color=FAINT)
     return figure

@@ -18,6 +18,7 @@ from ..errors import InputError
 COM, DESIRED, ESTIMATED, MEASURED, PLANNED = "black", "#0072B2", "#D55E00", "#009E73", "#E69F00"
 BOUND, SOLE, RIGHT_SOLE, DOUBLE_SUPPORT, FAINT = "#56B4E9", "#8C6239", "#CC79A7", "#BBBBBB", "#777777"
 SOLE_FILL, MEASURED_BAND = "#F1EAE3", "#8FD0BA"  # SOLE and MEASURED, made light: nothing shines through anything
+PUSH = "#9A0794"  # of forces from outside
 SERIES = (DESIRED, ESTIMATED, MEASURED, RIGHT_SOLE, PLANNED, SOLE)  # of traces that are compared
 SERIES_DASHES: tuple[Any, ...] = ("-", (0, (5, 1.5)), (0, (2, 1)), (0, (6, 1.5, 1, 1.5)))
 DOTS = (0, (1.2, 2.4))  # of the desired ZMP, on the estimated one

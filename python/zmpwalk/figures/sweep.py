@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+import textwrap
 from numbers import Real
 from typing import Any, Sequence
 
 import numpy as np
 from matplotlib.figure import Figure
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from ..errors import InputError
 from ..sweeps import Sweep
@@ -15,11 +17,14 @@ from .curves import limits
 from .style import FAINT, SERIES, SERIES_DASHES, legend_above, new_figure, nothing_to_draw, styled, title
 
 LABELS = {
-    "speed": "speed [m/s]", "speed_error": "speed error [m/s]", "torque": "largest torque\n[share of its limit]",
+    "speed": "speed [m/s]", "speed_error": "speed error [m/s]", "torque": "largest torque\n[1 is its limit]",
     "zmp_error_x": "ZMP error forward,\nmedian [mm]", "zmp_error_y": "ZMP error leftward,\nmedian [mm]",
-    "zmp_error_x_p95": "ZMP error forward,\n95th percentile [mm]", "profile": "velocity [m/s]",
+    "zmp_error_x_p95": "ZMP error forward,\n95th percentile [mm]", "profile": "commanded velocity [m/s]",
     "zmp_error_y_p95": "ZMP error leftward,\n95th percentile [mm]", "fall_time": "time of the fall [s]",
 }  # fmt: skip
+
+WORDS = {"profile": "velocity"}
+MOST_LINES = 12  # that a legend tells apart
 
 
 @styled
@@ -32,18 +37,26 @@ def sweep(found: Sweep, y: str | Sequence[str], x: str | None = None, axes: Any 
     numeric = [name for name in found.axes if all(_is_number(row[name]) for row in found)]
     if x is None:
         if not numeric:
-            raise InputError(f"no axis of the sweep has numbers alone ({', '.join(found.axes)}); give x a column")
+            raise InputError(
+                f"no axis of the sweep has numbers alone ({', '.join(found.axes)}); give x a column, such as one that "
+                "a measure returns"
+            )
         x = numeric[0]
-    for name in (x, *names):
-        found[name]
+    if len(found.failures) < len(found):
+        for name in (x, *names):
+            found[name]
     others = [name for name in found.axes if name != x]
+    if x not in found.axes:  # a measured column: what it is measured of makes no lines of its own
+        others = [name for name in numeric if len({row[name] for row in found}) <= MOST_LINES]
     lines: dict[tuple, list[dict[str, Any]]] = {}
     for row in found:
         if not row["error"]:
             lines.setdefault(tuple(row[name] for name in others), []).append(row)
     figure, panels = new_figure(axes, len(names), 1, height=1.2 + 1.9 * len(names))
     if not lines:
-        return nothing_to_draw(figure, *panels, note="no walk could begin")
+        return nothing_to_draw(
+            figure, *panels, note="\n".join(textwrap.wrap("no walk could begin: " + found.failures[0]["error"], 90))
+        )
     for ax, name in zip(panels, names):
         fallen: list[tuple[np.ndarray, np.ndarray, str]] = []
         standing: list[np.ndarray] = []
@@ -58,6 +71,9 @@ def sweep(found: Sweep, y: str | Sequence[str], x: str | None = None, axes: Any 
             fallen.append((at[~stood], height[~stood], colour))
         if name.startswith("zmp_error") and np.isfinite(np.concatenate(standing)).any():
             ax.set_yscale("log")
+            ax.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+            ax.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+            ax.yaxis.set_minor_formatter(NullFormatter())
         elif np.isfinite(np.concatenate(standing)).any():
             ax.set_ylim(*limits(*standing))  # a fall would flatten all the rest: its cross is at the rim then
         label = "fell"
@@ -70,14 +86,20 @@ def sweep(found: Sweep, y: str | Sequence[str], x: str | None = None, axes: Any 
         ax.set_ylabel(LABELS.get(name, name))
         ax.grid(color=FAINT, lw=0.3, alpha=0.4)
     panels[-1].set_xlabel(LABELS.get(x, x))
-    legend_above(panels[0], 4)
+    if len(lines) <= MOST_LINES:
+        legend_above(panels[0], 4)
     figure.align_ylabels(panels)
-    title(figure, axes, f"{len(found)} walks over {' and '.join(found.axes)}")
+    drawn = LABELS.get(names[0], names[0]).split("\n")[0].split(" [")[0].rstrip(",")
+    what = f"{drawn[0].upper()}{drawn[1:]} of " if len(names) == 1 else ""
+    title(figure, axes, f"{what}{len(found)} walks over {' and '.join(WORDS.get(name, name) for name in found.axes)}")
     return figure
 
 
 def _label(names: Sequence[str], values: Sequence[Any]) -> str:
-    words = [f"{name} {value:g}" if _is_number(value) else f"{name} {value}" for name, value in zip(names, values)]
+    words = [
+        f"{WORDS.get(name, name)} {value:g}" if _is_number(value) else f"{name} {value}"
+        for name, value in zip(names, values)
+    ]
     return ", ".join(words) or "stood"
 
 
