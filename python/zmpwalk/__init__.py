@@ -48,6 +48,8 @@ from ._core import (
     VelocityTracker,
     WalkSettings,
     WholeBodyController,
+    WholeBodyResult,
+    ZmpEstimate,
     ZmpEstimator,
     build_info,
     common_plane,
@@ -83,6 +85,7 @@ __all__ = [
     "DimensionError",
     "Dynamics",
     "Error",
+    "Explorer",
     "Fall",
     "Foot",
     "FrameTask",
@@ -120,6 +123,8 @@ __all__ = [
     "WalkingController",
     "Waypoints",
     "WholeBodyController",
+    "WholeBodyResult",
+    "ZmpEstimate",
     "ZmpEstimator",
     "__version__",
     "analysis",
@@ -129,6 +134,7 @@ __all__ = [
     "describe",
     "distribute_wrench",
     "errors",
+    "explore",
     "humanoid",
     "iterate_reference",
     "judge",
@@ -156,6 +162,7 @@ __all__ = [
 # Modules that most scripts do not need, each with the public names that it gives: whoever asks for one imports it.
 _LATER = {
     "capture": ("PendulumWalk", "pendulum_limit"),
+    "explorer": ("Explorer", "explore"),
     "plot": (),
     "pushes": ("PushMap", "push_map"),
     "render": (),
@@ -170,6 +177,7 @@ _LATER = {
 if TYPE_CHECKING:  # so that type checkers know what these hold
     from . import plot, render, view
     from .capture import PendulumWalk, pendulum_limit
+    from .explorer import Explorer, explore
     from .pushes import PushMap, push_map
     from .robots.humanoid import Humanoid, humanoid
     from .sweeps import Sweep, sweep
@@ -199,6 +207,9 @@ trace.ABOVE.update(
     plot_sweep=_later("plot", "sweep"),
     rerun=simulation.rerun,
     video=_later("render", "film"),
+    write_parquet=_later("exports", "write_parquet"),
+    write_rerun=_later("exports", "write_rerun"),
+    xarray_of=_later("exports", "xarray_of"),
 )
 shown.show_values()
 

@@ -3723,7 +3723,10 @@ class ZmpEstimate:
         robot on ground, left then right (12,), NaN in the air
         """
     @property
-    def in_contact(self) -> bool: ...
+    def in_contact(self) -> bool:
+        """
+        Whether the ground carries: without load there is no ZMP.
+        """
     @property
     def zmp(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 1]"]:
         """
@@ -4772,7 +4775,7 @@ class RecordedColumn:
     @property
     def frame(self) -> str:
         """
-        Frame in which the numbers are given: W, the world; H, turned into the heading of the walk; S, the axes of the
+        Frame in which the numbers are given: W, the world; H, turned into the planned heading; S, the axes of the
         support sole. It is empty where they have none.
         """
     @property

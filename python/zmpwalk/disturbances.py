@@ -49,12 +49,14 @@ class Push(NamedTuple):
         Divided by the robot's mass it is the change of the COM's velocity that the push causes.
 
         Raises:
-            InputError: `duration` is not positive.
+            InputError: `duration` is not positive, or `impulse` has another size.
 
         Usage: `zmpwalk.simulate(push=zmpwalk.Push.impulse(4.0, (0, 20, 0)))`
         """
         if not (math.isfinite(duration) and duration > 0.0):
             raise InputError(f"duration is {duration:g} s; it must be positive and finite")
+        if len(impulse) not in (3, 6):
+            raise InputError(f"the impulse is {reprlib.repr(impulse)}; it must be three numbers (jx, jy, jz) [N s]")
         return cls(t, duration, body, tuple(float(value) / duration for value in impulse))
 
 
@@ -100,7 +102,8 @@ def _push_of(push: Any) -> Push:
         pass
     raise InputError(
         f"the push {reprlib.repr(push)} is not one: it is (t, duration, body, (fx, fy, fz)) [s, s, -, N] with a body's "
-        'name or None for the trunk, or the text "T:DURATION:BODY:FX,FY,FZ"'
+        'name or None for the trunk, or the text "T:DURATION:BODY:FX,FY,FZ"; Push.impulse(t, (jx, jy, jz)) makes one '
+        "of an impulse [N s]"
     )
 
 

@@ -5,9 +5,10 @@ A physical event, such as a fall or a clamped ZMP, is never an error: it is a fl
 
 from __future__ import annotations
 
-from typing import Iterable
+import importlib
+from typing import Any, Iterable
 
-__all__ = ["ColumnError", "DimensionError", "Error", "InputError", "ModelError", "VersionError", "nearest"]
+__all__ = ["ColumnError", "DimensionError", "Error", "InputError", "ModelError", "VersionError", "nearest", "needed"]
 
 
 class Error(Exception):
@@ -58,6 +59,20 @@ class VersionError(Error, ImportError):
 
 def _one_line(text: str) -> str:
     return " ".join(text.splitlines())
+
+
+def needed(package: str, purpose: str, install: str) -> Any:
+    """A package that only some users install; `purpose` is what needs it, and `install` names what brings it.
+
+    Raises:
+        ImportError: it is not installed; says how to install it.
+
+    Usage: `needed("pandas", "to_dataframe", "pandas").DataFrame(columns)`
+    """
+    try:
+        return importlib.import_module(package)
+    except ImportError:
+        raise ImportError(f"{purpose} needs {package}: pip install {install}") from None
 
 
 def nearest(name: str, known: Iterable[str]) -> list[str]:

@@ -30,7 +30,7 @@ try:
     import gymnasium
     from gymnasium import spaces
 except ImportError:
-    raise ImportError('zmpwalk.gym needs Gymnasium: pip install "zmpwalk[gym]"') from None
+    raise ImportError("zmpwalk.gym needs Gymnasium: pip install gymnasium") from None
 
 __all__ = ["ID", "Walk", "WalkVector"]
 
@@ -334,11 +334,11 @@ def moved(pose: np.ndarray, velocity: np.ndarray, seconds: float) -> np.ndarray:
 
     Usage: `moved(np.zeros(3), np.array([0.25, 0.0, 0.1]), 2.0)`
     """
-    turn = velocity[2] * seconds
-    middle, chord = pose[2] + turn / 2, seconds * np.sinc(turn / 2 / np.pi)
-    c, s = math.cos(middle), math.sin(middle)
-    along, across = chord * velocity[:2]
-    return np.array([pose[0] + c * along - s * across, pose[1] + s * along + c * across, pose[2] + turn])
+    vx, vy, wz = map(float, velocity)
+    half = 0.5 * wz * seconds
+    chord, middle = seconds * (math.sin(half) / half if half else 1.0), float(pose[2]) + half
+    c, s = chord * math.cos(middle), chord * math.sin(middle)
+    return np.array([pose[0] + c * vx - s * vy, pose[1] + s * vx + c * vy, pose[2] + 2.0 * half])
 
 
 _modes = getattr(gymnasium.vector, "AutoresetMode", None)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import os
 import textwrap
@@ -113,12 +112,14 @@ def _comment(text: str) -> list[str]:
 
 
 def _torque_limits(controller: WalkingController, given: WalkSettings) -> list[str]:
+    import tomlkit
+
     lines = []
     for joint, limit in zip(controller.joint_names, controller.torque_limit):
         own = joint not in given.torque_limits
         value = float(limit) if own else given.torque_limits[joint]
         lines += _comment(controller.torque_path[joint])
-        lines.append(f"{'#' if own else ''}{_key(joint)} = {_toml(value)}")
+        lines.append(f"{'#' if own else ''}{tomlkit.key(joint).as_string()} = {_toml(value)}")
     return lines
 
 
@@ -127,15 +128,7 @@ def _same(a: Any, b: Any) -> bool:
 
 
 def _toml(value: Any) -> str:
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    if isinstance(value, (list, tuple)):
-        return "[" + ", ".join(_toml(item) for item in value) + "]"
-    if isinstance(value, str):
-        return json.dumps(value)  # a TOML basic string
-    return repr(value)  # inf, nan and all digits, as TOML has them
+    """A value as TOML writes it, with all its digits."""
+    import tomlkit
 
-
-def _key(name: str) -> str:
-    bare = name.replace("-", "a").replace("_", "a")
-    return name if bare.isascii() and bare.isalnum() else json.dumps(name)
+    return tomlkit.item(list(value) if isinstance(value, tuple) else value).as_string()

@@ -1,4 +1,4 @@
-"""What a walk fell short of: its speed, the ranges of its joints, their torques.
+"""What a walk fell short of: its speed, the ranges of its joints, their torques, the ground that it was to walk on.
 
 One place decides, from the record; summary, table, notebook and exit code of `zmpwalk walk --strict` say what it says.
 """
@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from .analysis import feet_pose, mean_velocity
+from .terrain import START
 
 __all__ = ["shortfalls"]
 
@@ -28,7 +29,8 @@ def shortfalls(trace: Any) -> list[str]:
     - speed: between touch-downs of a planned velocity that stays the same, from the fourth step on, the feet went more
       than 5 % slower, faster or elsewhere;
     - stop: a joint leaned on the end of its range for longer than 0.05 s. The stop's torque is in no estimate;
-    - torque: in more than 1 % of the cycles torques were cut to their limits.
+    - torque: in more than 1 % of the cycles torques were cut to their limits;
+    - ground: no foot came to the ground that was given in place of the floor.
 
     Args:
         trace: a walk; what its columns do not tell is not judged.
@@ -40,7 +42,7 @@ def shortfalls(trace: Any) -> list[str]:
     fell = trace.meta.get("fell")
     if bool(fell) if fell is not None else bool(np.any(trace.get("fell", 0))):
         return _stops(trace)[:1]
-    return [*_speed(trace), *_stops(trace), *_torque(trace)]
+    return [*_speed(trace), *_stops(trace), *_torque(trace), *_ground(trace)]
 
 
 def _speed(trace: Any) -> list[str]:
@@ -110,6 +112,24 @@ def _torque(trace: Any) -> list[str]:
     return [
         f"torque: {100 * cut.mean():.0f} % of the cycles asked for more than the joints can give"
         + (f" (most often {which})" if which else "")
+    ]
+
+
+def _ground(trace: Any) -> list[str]:
+    kind, _, numbers = str(trace.meta.get("terrain") or "flat").partition(":")
+    if kind in ("flat", "soft") or not {"foot_left", "foot_right"} <= set(trace):
+        return []
+    begins = float(numbers.split(",")[1]) if kind == "step" and "," in numbers else START
+    feet = trace.meta.get("description", {})
+    ahead = max(
+        float(np.nanmax(trace[f"foot_{side}"][:, 0])) + 0.5 * float(feet.get(side, {}).get("length", 0.0))
+        for side in ("left", "right")
+    )
+    if ahead > begins:
+        return []
+    return [
+        f"ground: no foot came to the ground '{trace.meta['terrain']}', which begins at x = {begins:g} m; "
+        f"they came to x = {ahead:.2f} m"
     ]
 
 

@@ -25,7 +25,7 @@ import numpy as np
 from ._build import VERSION
 from ._core import WalkSettings
 from .disturbances import Uncertainty
-from .errors import Error, InputError, nearest
+from .errors import Error, InputError, nearest, needed
 from .files import as_input_error, cause, whole, write_table
 from .functions import fingerprint
 from .given import settings_of
@@ -38,6 +38,7 @@ Grid = Union[Mapping[str, Sequence[Any]], Iterable[Mapping[str, Any]]]
 Measure = Callable[[Trace], Mapping[str, Any]]
 ARGUMENTS = tuple(name for name in inspect.signature(simulate).parameters if name not in ("on_progress", "command"))
 CHART = ("zmp_error_x_p95", "torque")  # columns of the chart unless asked for others
+MEANT = {"speed": ("profile",), "velocity": ("profile",), "gain": ("tracker_gain",)}  # other words for what there is
 TRIES = 3  # of a walk whose process dies
 
 
@@ -77,7 +78,8 @@ class Sweep:
 
     def __repr__(self) -> str:
         fell, failed = sum(row["stood"] == 0 for row in self.rows), len(self.failures)
-        return f"Sweep({len(self.rows)} walks over {', '.join(self.axes)}; {fell} fell, {failed} could not begin)"
+        said = f"Sweep({len(self.rows)} walks over {', '.join(self.axes)}; {fell} fell, {failed} could not begin"
+        return said + (f", the first because {self.failures[0]['error']})" if failed else ")")
 
     @property
     def columns(self) -> list[str]:
@@ -97,7 +99,7 @@ class Sweep:
 
         Usage: `found.to_dataframe().groupby("profile").speed.mean()`
         """
-        return _module("pandas", "to_dataframe", "pandas").DataFrame(self.rows)
+        return needed("pandas", "to_dataframe", "pandas").DataFrame(self.rows)
 
     def save(self, path: str | os.PathLike) -> Path:
         """Write the table into a `.parquet` (which needs the extra `sweep`) or `.csv` file, whole or not at all.
@@ -111,8 +113,8 @@ class Sweep:
         rows = [{name: _cell(value) for name, value in row.items()} for row in self.rows]
         if path.suffix.lower() == ".csv":
             return write_table(path, rows)
-        arrow = _module("pyarrow", "a Parquet file", "sweep")
-        parquet = importlib.import_module("pyarrow.parquet")
+        arrow = needed("pyarrow", "a Parquet file", "pyarrow")
+        parquet = needed("pyarrow.parquet", "a Parquet file", "pyarrow")
         table = arrow.Table.from_pylist(rows).replace_schema_metadata({"zmpwalk_axes": json.dumps(self.axes)})
         with as_input_error(path), whole(path) as draft:
             parquet.write_table(table, draft)
@@ -183,8 +185,8 @@ def sweep(
         raise InputError(f"measure is {measure!r}; it must be a function f(trace) -> {{column: number}}")
     path = None if out is None else _table_path(out)
     if path is not None and path.suffix.lower() == ".parquet":
-        _module("pyarrow", "a Parquet file", "sweep")  # found out before the first walk
-    jobs = [_arguments({**common, **point}) for point in points]
+        needed("pyarrow", "a Parquet file", "pyarrow")  # found out before the first walk
+    jobs = [arguments_of({**common, **point}) for point in points]
     keys = [_key(job, measure) for job in jobs]
     known = _kept(path)
     journal = _Journal(path)
@@ -240,7 +242,7 @@ def _values(name: str, given: Any) -> list[Any]:
     return list(given)
 
 
-def _arguments(point: Mapping[str, Any]) -> dict[str, Any]:
+def arguments_of(point: Mapping[str, Any]) -> dict[str, Any]:
     """Arguments of `simulate` of names that may also be settings and uncertainties."""
     arguments: dict[str, Any] = {}
     changes: dict[str, Any] = {}
@@ -255,7 +257,7 @@ def _arguments(point: Mapping[str, Any]) -> dict[str, Any]:
                 WalkSettings.find(name)
             except InputError:
                 known = [*ARGUMENTS, *(row.flat for row in WalkSettings.table().values())]
-                near = ", ".join(nearest(name, known)[:3])
+                near = ", ".join([*MEANT.get(name, ()), *nearest(name, known)][:3])
                 raise InputError(
                     f"'{name}' is no argument of simulate, no setting and no uncertainty; the nearest names are {near}"
                 ) from None
@@ -464,7 +466,7 @@ def _pickler() -> Callable[[Any], bytes]:
 
 
 def _on_cluster(payload: dict[int, Any], cluster: Any, take: Callable[[int, dict], None]) -> None:
-    distributed = _module("distributed", "a sweep on a cluster", "sweep")
+    distributed = needed("distributed", "a sweep on a cluster", "distributed")
     own = isinstance(cluster, str)
     client = distributed.Client(cluster, timeout=20) if own else cluster
     try:
@@ -549,10 +551,3 @@ def _cell(value: Any) -> Any:
         return value
     described = _described(value)
     return described if isinstance(described, str) else json.dumps(described)
-
-
-def _module(name: str, what: str, extra: str) -> Any:
-    try:
-        return importlib.import_module(name)
-    except ImportError:
-        raise ImportError(f'{what} needs {name}: pip install "zmpwalk[{extra}]"') from None

@@ -410,6 +410,7 @@ _KINDS: dict[str, Any] = {
     "stairs": (Terrain.stairs, "stairs:RISExTREAD"),
     "waves": (Terrain.waves, "waves or waves:CM"),
 }
+FORMS = {kind: form for kind, (_, form) in _KINDS.items()}  # how each is written
 
 
 def load_scene(

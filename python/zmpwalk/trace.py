@@ -20,7 +20,7 @@ from ._columns import RecordedColumns
 from ._core import RecordedColumn, RobotDescription, WalkSettings, recorded_columns
 from .analysis import bound_excess
 from .disturbances import uncertainty_of
-from .errors import ColumnError, DimensionError, Error, InputError, ModelError, nearest
+from .errors import ColumnError, DimensionError, Error, InputError, ModelError, nearest, needed
 from .files import cause, whole
 from .motion import JointMotion
 from .profiles import VelocityProfile
@@ -143,6 +143,8 @@ class Trace(RecordedColumns, Mapping):
                 raise ColumnError(f"this trace does not hold the column '{name}': it was recorded without it")
             if name.startswith("_"):
                 raise AttributeError(f"a trace has no '{name}'")
+            if name in self.flat():
+                raise AttributeError(f"'{name}' is a part of a column: trace.flat()['{name}'] gives it")
             near = nearest(name, [*columns, *(other for other in dir(type(self)) if not other.startswith("_"))])
             raise AttributeError(f"a trace has no '{name}'; the nearest names are {', '.join(near)}")
 
@@ -440,11 +442,43 @@ class Trace(RecordedColumns, Mapping):
 
         Usage: `trace.to_dataframe()[["com_x", "zmp_est_x"]].plot()`
         """
-        try:
-            import pandas
-        except ImportError:
-            raise ImportError("to_dataframe needs pandas: pip install pandas (or use trace.to_csv)") from None
-        return pandas.DataFrame(self.flat()).set_index("t")
+        return needed("pandas", "to_dataframe", "pandas").DataFrame(self.flat()).set_index("t")
+
+    def to_parquet(self, path: str | os.PathLike) -> Path:
+        """Write the columns of `flat` as a Parquet file, with `meta` in its schema, whole or not at all.
+
+        Raises:
+            InputError: it cannot be written.  ImportError: pyarrow is not installed (extra `sweep`).
+
+        Usage: `trace.to_parquet("walk.parquet")`
+        """
+        return ABOVE["write_parquet"](self, path)
+
+    def to_xarray(self) -> Any:
+        """The columns as an xarray data set: time is a dimension, and so are joints and the parts of a column.
+
+        Each variable has `units`, `frame` and `long_name`; `meta` is kept as JSON. It can be written as a NetCDF 4
+        file, which is HDF5.
+
+        Raises:
+            ImportError: xarray is not installed (extra `xarray`).
+
+        Usage: `trace.to_xarray().to_netcdf("walk.nc"); trace.to_xarray().tau.sel(joint="l_knee").plot()`
+        """
+        return ABOVE["xarray_of"](self)
+
+    def to_rerun(self, path: str | os.PathLike) -> Path:
+        """Write a recording for the viewer Rerun: COM, ZMP and soles in space, velocities and torque as curves.
+
+        Args:
+            path: a .rrd file; `rerun walk.rrd` opens it.
+
+        Raises:
+            InputError: another suffix, or it cannot be written.  ImportError: no rerun-sdk is there (extra `rerun`).
+
+        Usage: `trace.to_rerun("walk.rrd")`
+        """
+        return ABOVE["write_rerun"](self, path)
 
     def flat(self) -> dict[str, np.ndarray]:
         """The columns cut into single numbers per row.
@@ -459,10 +493,17 @@ class Trace(RecordedColumns, Mapping):
             if array.ndim == 1:
                 out[name] = array
             else:
-                out.update((f"{name}_{part}", array[:, i]) for i, part in enumerate(self._parts(name, array.shape[1])))
+                out.update((f"{name}_{part}", array[:, i]) for i, part in enumerate(self.parts(name)))
         return out
 
-    def _parts(self, name: str, width: int) -> list[str]:
+    def parts(self, name: str) -> list[str]:
+        """Names of a column's numbers: x, y, z, the joints, or 0, 1, ...; none of a column with one number a row.
+
+        Usage: `trace.parts("com")  # -> ["x", "y", "z"]`
+        """
+        if self[name].ndim == 1:
+            return []
+        width: int = self[name].shape[1]
         known, joints = COLUMNS.get(name), self.meta.get("joint_names", [])
         if known and known.size == "joints" and len(joints) == width:
             return joints

@@ -1,7 +1,11 @@
 """The walk as a Gymnasium environment: it keeps Gymnasium's rules, and its numbers are those of the walk."""
 
+import ctypes
+import gc
 import math
+import os
 import resource
+import threading
 import warnings
 
 import numpy as np
@@ -149,3 +153,35 @@ def test_many_episodes_keep_no_memory():
 def test_arguments_that_make_no_sense_are_refused(wrong, words):
     with pytest.raises(InputError, match=words):
         gym.Walk(**wrong)
+
+
+def in_use():
+    """Bytes that the C library has given out, to Python and to the extension alike."""
+
+    class Given(ctypes.Structure):  # struct mallinfo2 of glibc
+        _fields_ = [
+            (name, ctypes.c_size_t)
+            for name in ("arena", "ordblks", "smblks", "hblks", "hblkhd", "a", "b", "uordblks", "c", "d")
+        ]
+
+    gc.collect()
+    ask = ctypes.CDLL(None).mallinfo2
+    ask.restype = Given
+    given = ask()
+    return given.uordblks + given.hblkhd
+
+
+@pytest.mark.skipif(not os.environ.get("ZMPWALK_BIG"), reason="ZMPWALK_BIG is not set: 1000 episodes take minutes")
+def test_a_thousand_episodes_keep_no_memory_and_no_thread():
+    threads, env = threading.active_count(), gymnasium.make(gym.ID, duration=2.0, pushes=(1.0, 0.2))
+    for i in range(1000):
+        if i == 100:
+            before = in_use()
+        env.reset(seed=i)
+        done = False
+        while not done:
+            *_, fell, cut, _ = env.step(env.action_space.sample())
+            done = fell or cut
+    assert in_use() - before < 100_000  # one column of one episode is as large
+    env.close()
+    assert threading.active_count() == threads

@@ -16,14 +16,15 @@ FLOORS = [
     ["files", "checks"],
     ["functions", "analysis", "settings"],
     ["_adapters", "profiles", "motion", "given", "robots", "disturbances"],
-    ["_check_mujoco", "shortfalls", "tasks", "terrain", "verdict"],
+    ["_check_mujoco", "tasks", "terrain", "verdict"],
+    ["shortfalls"],
     ["trace"],
     ["simulation"],
-    ["waypoints", "bench", "render", "capture", "trials", "tryout", "sweeps"],
+    ["waypoints", "bench", "render", "capture", "trials", "tryout", "sweeps", "exports"],
     ["live"],
     ["view", "figures", "gym", "pushes"],
     ["plot", "troubles"],
-    ["shown"],
+    ["shown", "explorer"],
     ["cli"],
     ["", "__main__"],  # the package's own __init__, which knows all rooms
 ]
@@ -31,7 +32,7 @@ FLOORS = [
 # those who draw only when asked to.
 DEFERRED = {
     "concurrent", "difflib", "glfw", "html", "imageio", "importlib", "mujoco", "mujoco_menagerie", "pandas", "rich",
-    "tomli", "tomllib",
+    "tomli", "tomlkit", "tomllib",
 }  # fmt: skip
 DEFERRED_ROOMS = {
     "": {"_adapters"},

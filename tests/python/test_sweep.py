@@ -244,3 +244,43 @@ def test_the_command_writes_table_and_chart(zmpwalk_command, tmp_path):
     done = zmpwalk_command("sweep", "empty.toml", cwd=tmp_path)
     assert (done.returncode, done.stdout) == (2, "")
     assert "it has no table [grid]" in done.stderr
+
+
+BIG = pytest.mark.skipif(not os.environ.get("ZMPWALK_BIG"), reason="ZMPWALK_BIG is not set: 200 walks take minutes")
+LARGE = {"profile": [0.05 * k for k in range(1, 11)], "tracker_gain": [1.0, 2.0, 3.0, 4.0], "seed": [1, 2, 3, 4, 5]}
+SHARED = {"duration": 2.0, "uncertainty.noise": 0.5}
+
+INTERRUPTED = f"""
+import sys, zmpwalk
+zmpwalk.sweep({LARGE!r}, sys.argv[1], processes=2, **{SHARED!r})
+"""
+
+
+@BIG
+def test_two_hundred_walks_are_one_table_wherever_they_are_walked(tmp_path, ctrl_c):
+    distributed = pytest.importorskip("distributed")
+    alone = sweep(LARGE, processes=1, **SHARED)
+    assert len(alone) == 200
+    assert same(sweep(LARGE, processes=2, **SHARED), alone)
+    with distributed.LocalCluster(
+        n_workers=2, threads_per_worker=1, dashboard_address=None, silence_logs=50
+    ) as cluster:
+        victim = next(iter(cluster.workers.values())).process.pid
+
+        def kill(done, total):
+            if done == total // 2:
+                os.kill(victim, signal.SIGKILL)
+
+        assert same(sweep(LARGE, cluster=cluster.scheduler_address, on_progress=kill, **SHARED), alone)
+    table = tmp_path / "walks.csv"
+    process = subprocess.Popen([sys.executable, "-c", INTERRUPTED, table], stderr=subprocess.DEVNULL)
+    end = time.monotonic() + 300
+    kept = _journal_path(table)
+    while time.monotonic() < end and not (kept.exists() and len(kept.read_text().splitlines()) >= 60):
+        time.sleep(0.05)
+    process.send_signal(signal.SIGINT)
+    assert process.wait(60) != 0
+    done = []
+    again = sweep(LARGE, table, processes=2, on_progress=lambda n, total: done.append(n), **SHARED)
+    assert done[0] >= 60 and len(done) == 200 - done[0] + 1  # only what was missing was walked
+    assert same(again, alone)

@@ -175,7 +175,7 @@ def test_a_reference_is_set_anew_in_every_cycle(mahru):
 
 def test_two_hands_carry_a_tray_as_the_page_shows(mahru):
     page = (Path(__file__).parents[2] / "docs" / "tasks.md").read_text()
-    tray, own = re.findall(r"```python\n(.*?)```", page, re.S)[:2]
+    tray, reach, own = re.findall(r"```python\n(.*?)```", page, re.S)[:3]
     names = {}
     exec(tray, names)
     trace = names["trace"]
@@ -189,6 +189,13 @@ def test_two_hands_carry_a_tray_as_the_page_shows(mahru):
         assert angle(R_HF[begun:], np.broadcast_to(R_HF[begun], R_HF[begun:].shape)).max() < DEGREE
     assert analysis.bound_excess(trace).max() < 0.01 * MM
     assert trace.identical(trace.rerun())  # with the tasks that were added on the way
+
+    exec(reach, names)
+    hand = body_poses(names["trace"], "right_hand")[0] - names["trace"].com
+    c, s = np.cos(names["trace"].heading), np.sin(names["trace"].heading)
+    place = np.column_stack([c * hand[:, 0] + s * hand[:, 1], -s * hand[:, 0] + c * hand[:, 1], hand[:, 2]])
+    assert np.abs(place[2000:] - [0.30, -0.22, 0.15]).max() < 2 * MM
+    assert not names["trace"].summary()["shortfalls"]
 
     exec(own, names)
     assert hand_drift(names["trace"]) < 0.2 * MM

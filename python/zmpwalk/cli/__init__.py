@@ -118,7 +118,17 @@ def _print_version(context: click.Context, parameter: click.Parameter, asked: bo
         context.exit()
 
 
-@click.group(context_settings={"help_option_names": ["-h", "--help"]})
+FIRST_STEPS = """
+\b
+First steps:
+  zmpwalk walk --duration 8 --out out/first   walks the robot and draws it
+  zmpwalk view                                opens a window: keys walk it
+  zmpwalk inspect my_robot.xml                says whether yours can walk
+  zmpwalk walk --help                         explains all of a command
+"""
+
+
+@click.group(context_settings={"help_option_names": ["-h", "--help"]}, epilog=FIRST_STEPS)
 @click.option(
     "--version",
     is_flag=True,

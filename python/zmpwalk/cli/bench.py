@@ -17,7 +17,7 @@ from .terminal import STOOD, Parts, new_console
 __all__ = ["command"]
 
 
-@click.command("bench")
+@click.command("bench", short_help="Measure how fast the controller is on this machine.")
 @click.option(
     "--robot", default="mahru", show_default=True, help="A robot's name, a path to a robot.json, or an MJCF file."
 )

@@ -11,7 +11,7 @@ from .terminal import STOOD
 __all__ = ["command"]
 
 
-@click.command("build-adapter")
+@click.command("build-adapter", short_help="Compile the adapter to the MuJoCo that is installed.")
 def command() -> int:
     """Compile zmpwalk's adapter to the MuJoCo that is installed; it takes a second and needs a C++17 compiler.
 

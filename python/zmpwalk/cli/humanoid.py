@@ -23,7 +23,7 @@ def _foot(context: click.Context, parameter: click.Parameter, text: str | None) 
         raise InputError(f"--foot {text}: give length and width [m], such as 0.2,0.1") from None
 
 
-@click.command("humanoid")
+@click.command("humanoid", short_help="Write the MJCF of a humanoid of your measures.")
 @click.option("--height", type=float, default=1.6, show_default=True, help="From the soles to the crown [m].")
 @click.option("--mass", type=float, help="Of the whole robot [kg].  [default: follows from the leg]")
 @click.option("--foot", callback=_foot, metavar="LENGTH,WIDTH", help="Of a sole [m].  [default: follows from the leg]")

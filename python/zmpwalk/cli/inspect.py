@@ -20,7 +20,7 @@ from .terminal import BAD_INPUT, STOOD, complain, new_console, number
 __all__ = ["command"]
 
 
-@click.command("inspect")
+@click.command("inspect", short_help="Say what is found in a robot's model, and whether it walks.")
 @click.argument("model", type=RobotName())
 @click.option("--json", "as_json", is_flag=True, help="Print what was found as JSON.")
 @click.option(

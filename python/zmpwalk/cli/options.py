@@ -14,6 +14,7 @@ from .._core import WalkSettings
 from ..errors import InputError
 from ..figures import FORMATS
 from ..settings import load_settings
+from . import completion
 
 __all__ = [
     "PathName",
@@ -66,6 +67,9 @@ class PathName(click.ParamType):
         except InputError as error:
             self.fail(str(error), parameter, context)
 
+    def shell_complete(self, context: Any, parameter: Any, begun: str) -> Any:
+        return completion.files(context, parameter, begun)
+
 
 class RobotName(click.ParamType):
     """A robot's name, or a path that is checked as such."""
@@ -77,6 +81,9 @@ class RobotName(click.ParamType):
             return checked_name(value)
         except InputError as error:
             self.fail(str(error), parameter, context)
+
+    def shell_complete(self, context: Any, parameter: Any, begun: str) -> Any:
+        return completion.robots(context, parameter, begun)
 
 
 FOOTSTEPS = ("tied", "absolute", "paper", "printed")
@@ -99,6 +106,7 @@ def settings_options(command: Callable) -> Callable:
     )
     @click.option(
         "--footsteps",
+        shell_complete=lambda context, parameter, begun: [word for word in FOOTSTEPS if word.startswith(begun)],
         help="What decides where feet land: tied (to the COM), absolute, paper, printed, or the lengths of the steps "
         '"0.1,0.15,0.2" [m].  [default: that of the law]',
     )
@@ -107,6 +115,7 @@ def settings_options(command: Callable) -> Callable:
         "changes",
         multiple=True,
         metavar="NAME=VALUE",
+        shell_complete=completion.settings,
         help="Change one setting, such as tracking.gain=3; may be repeated. `zmpwalk settings ROBOT` lists them.",
     )
     @functools.wraps(command)
@@ -148,6 +157,7 @@ known_option = click.option("--known", is_flag=True, help="The controller knows 
 terrain_option = click.option(
     "--terrain",
     metavar="GROUND",
+    shell_complete=completion.grounds,
     help="Ground in place of the floor: flat, slope:DEG[,AZIMUTH], blocks:CM[,SEED], plates:DEG[,SEED], step:CM[,AT], "
     "stairs:RISExTREAD (cm), waves[:CM], soft:SECONDS. The controller is told only with --known.",
 )
@@ -159,6 +169,7 @@ def walk_options(command: Callable) -> Callable:
         "--profile",
         default="paper",
         show_default=True,
+        shell_complete=completion.profiles,
         help='Velocity to walk with: "0.2" [m/s]; "0:0.1,5:0.2/0/0.3", which is time:vx/vy/wz; a CSV file (FILE:linear '
         "joins its rows by lines); or paper, the profile of the paper.",
     )

@@ -10,13 +10,14 @@ from ..errors import InputError
 from ..figures import FILES
 from ..files import together
 from ..trace import Trace
+from . import completion
 from .options import PathName, format_option
 from .terminal import STOOD
 
 __all__ = ["command"]
 
 
-@click.command("plot")
+@click.command("plot", short_help="Draw the figures of a walk, or compare several walks.")
 @click.argument("traces", type=PathName(), nargs=-1, required=True, metavar="TRACE...")
 @click.option("--out", type=PathName(), help="Folder for the figures.  [default: that of the trace]")
 @click.option(
@@ -24,6 +25,7 @@ __all__ = ["command"]
     "figures",
     multiple=True,
     metavar="NAME",
+    shell_complete=completion.figures,
     help=f"Draw only this figure; may be given several times: {', '.join(FILES)}.  [default: all]",
 )
 @click.option("--compare", is_flag=True, help="Draw all TRACEs over one another in one figure, compare.png.")
@@ -40,6 +42,12 @@ __all__ = ["command"]
     is_flag=True,
     help="Write a page to zoom into, interactive.html, which needs no network to be read.",
 )
+@click.option("--rerun", is_flag=True, help="Write a recording for the viewer Rerun, TRACE.rrd (extra rerun).")
+@click.option(
+    "--table",
+    type=click.Choice(["csv", "parquet", "nc"]),
+    help="Write every column as a table, TRACE.csv or TRACE.parquet, or as the data set TRACE.nc (NetCDF, HDF5).",
+)
 @format_option
 def command(
     traces: tuple[Path, ...],
@@ -48,6 +56,8 @@ def command(
     compare: bool,
     quantities: tuple[str, ...],
     interactive: bool,
+    rerun: bool,
+    table: str | None,
     kind: str,
 ) -> int:
     """Draw the figures of a walk from its TRACE file alone, or compare several walks.
@@ -56,6 +66,7 @@ def command(
     zmpwalk plot out/first/trace.npz --figure estimate
     zmpwalk plot --compare out/slow/trace.npz out/fast/trace.npz
     zmpwalk plot --interactive out/first/trace.npz
+    zmpwalk plot --table parquet out/first/trace.npz
     """
     from .. import plot  # matplotlib is slow to import
 
@@ -65,6 +76,12 @@ def command(
         raise InputError("--figure does not go with --compare, whose panels are named by --quantity")
     if figures and interactive:
         raise InputError("--figure does not go with --interactive, which draws a page of its own")
+    if sum((compare or interactive, rerun, table is not None)) > 1:
+        raise InputError(
+            "--rerun and --table write a file of their own: give one of them, without --compare and --interactive"
+        )
+    if figures and (rerun or table):
+        raise InputError("--figure draws; --rerun and --table do not")
     if len(traces) > 1 and not compare:
         raise InputError(f"{len(traces)} traces: add --compare for one figure of them all, or draw one at a time")
     names = [name for name in figures if name != "all"]
@@ -73,7 +90,9 @@ def command(
     walked = {name: Trace.load(path) for name, path in zip(_names(traces), traces)}
     folder = out or traces[0].parent
     with together(folder) as (draft, deliver):
-        if interactive:
+        if rerun or table:
+            files = [_written(next(iter(walked.values())), draft / f"{traces[0].stem}.{table or 'rrd'}")]
+        elif interactive:
             files = [draft / "interactive.html"]
             shown = walked if compare else next(iter(walked.values()))
             plot.interactive(shown, quantities or plot.COMPARED).write_html(files[0])
@@ -87,6 +106,15 @@ def command(
     for file in files:
         click.echo(str(folder / file.name))
     return STOOD
+
+
+def _written(trace: Trace, path: Path) -> Path:
+    """The trace in the file of another tool, which its suffix names."""
+    if path.suffix == ".nc":
+        trace.to_xarray().to_netcdf(path, engine="h5netcdf")
+    else:
+        {".rrd": trace.to_rerun, ".csv": trace.to_csv, ".parquet": trace.to_parquet}[path.suffix](path)
+    return path
 
 
 def _names(paths: tuple[Path, ...]) -> list[str]:

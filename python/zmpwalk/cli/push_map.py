@@ -18,7 +18,7 @@ from .terminal import INTERRUPTED, STOOD, Share, new_console
 __all__ = ["command"]
 
 
-@click.command("push-map")
+@click.command("push-map", short_help="Say how hard a push fells a robot, from every side.")
 @robot_option
 @click.option("--velocity", default="0.25", show_default=True, help='vx or "vx/vy/wz" [m/s, rad/s]; 0 stands.')
 @click.option("--directions", type=int, default=12, show_default=True, help="How many, evenly spaced from forward.")

@@ -16,7 +16,7 @@ from .terminal import INTERRUPTED, STOOD, Share, new_console
 __all__ = ["command"]
 
 
-@click.command("robustness")
+@click.command("robustness", short_help="Say what a walk bears: pushes, noise, delay, wrong masses.")
 @robot_option
 @click.option("--velocity", type=float, default=0.25, show_default=True, help="Forward [m/s].")
 @click.option("--duration", type=float, default=20.0, show_default=True, help="Of each walk [s].")

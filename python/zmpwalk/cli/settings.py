@@ -15,7 +15,7 @@ from .terminal import STOOD
 __all__ = ["command"]
 
 
-@click.command("settings")
+@click.command("settings", short_help="Print every setting with its value, unit and meaning.")
 @click.argument("robot")
 @settings_options
 def command(robot: str, settings: Any) -> int:

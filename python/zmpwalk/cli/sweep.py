@@ -20,7 +20,7 @@ from .terminal import INTERRUPTED, STOOD, Share, new_console
 __all__ = ["command"]
 
 
-@click.command("sweep")
+@click.command("sweep", short_help="Walk over a grid of values: a table and a chart.")
 @click.argument("file", type=PathName())
 @click.option("--out", type=PathName(), help="Folder to write into.  [default: out/FILE's name]")
 @click.option("--processes", type=int, help="Walks at a time.  [default: all processors]")

@@ -18,7 +18,7 @@ from .terminal import STOOD, Progress
 __all__ = ["command"]
 
 
-@click.command("video")
+@click.command("video", short_help="Make a film of a recorded walk, or of a new one.")
 @click.argument("trace", type=PathName(), required=False)
 @walk_options
 @push_option

@@ -13,7 +13,7 @@ from .terminal import STOOD
 __all__ = ["command"]
 
 
-@click.command("view")
+@click.command("view", short_help="Walk and push a robot in a window, by keyboard and mouse.")
 @robot_option
 @settings_options
 @terrain_option

@@ -18,6 +18,7 @@ from ..robots import examine
 from ..simulation import ON_FALL, Outside, WalkingController, check_duration, run
 from ..terrain import known_of, load_scene
 from ..trace import Trace
+from . import completion
 from .options import PathName, format_option, known_option, push_option, terrain_option, unsure, walk_options
 from .terminal import FELL, INTERRUPTED, STOOD, Progress, listened, new_console, number
 
@@ -26,7 +27,7 @@ __all__ = ["command"]
 MISMATCH = 0.002  # feet off the planned velocity by this are worth a warning [m/s]; 0.004 lets the paper's law fall
 
 
-@click.command("walk")
+@click.command("walk", short_help="Walk a robot; write trace, summary and figures.")
 @walk_options
 @click.option(
     "--motion",
@@ -38,6 +39,7 @@ MISMATCH = 0.002  # feet off the planned velocity by this are worth a warning [m
     "--uncertain",
     multiple=True,
     metavar="NAME=VALUE",
+    shell_complete=completion.uncertainties,
     help="What the controller does not know, a field of zmpwalk.Uncertainty such as noise=1 or torque_delay=0.008; "
     "may be repeated.",
 )

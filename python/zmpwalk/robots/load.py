@@ -147,7 +147,9 @@ def robot_file(robot: str | os.PathLike) -> Path:
 def _name_of(robot: str, path: Path) -> str:
     """What the robot at `path`, given as `robot`, is called."""
     collection, _, name = robot.partition(":")
-    return name.partition("/")[0] if f"{collection}:" in (PREFIX, DESCRIPTIONS_PREFIX) else path.stem
+    if f"{collection}:" in (PREFIX, DESCRIPTIONS_PREFIX):
+        return name.partition("/")[0]
+    return path.absolute().parent.name if path.stem == "scene" and path.absolute().parent.name else path.stem
 
 
 def _find(robot: str | os.PathLike) -> Path:
