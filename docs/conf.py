@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 import shutil
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -15,7 +16,7 @@ from docutils import nodes
 from latex2mathml.converter import convert
 
 project, author, version = "zmpwalk", "the zmpwalk authors", zmpwalk.__version__
-extensions = ["myst_nb", "sphinx.ext.autodoc"]
+extensions = ["myst_nb", "sphinx.ext.autodoc", "hawkmoth"]
 source_suffix = {".md": "myst-nb", ".ipynb": "myst-nb"}
 myst_enable_extensions = ["dollarmath", "amsmath"]
 nb_execution_timeout = 300
@@ -54,6 +55,13 @@ def copy_course(into: Path) -> None:
 
 copy_course(HERE / "course")
 
+sys.path.insert(0, str(HERE))
+import headers  # noqa: E402
+
+hawkmoth_root = str(headers.lay_out(HERE / "headers"))
+hawkmoth_clang = headers.arguments(Path(hawkmoth_root))
+hawkmoth_autoconf: list[str] = []
+
 
 def shape_docstring(app: Any, what: str, name: str, of: Any, options: Any, lines: list[str]) -> None:
     """First paragraphs of docstrings become text; arguments, results and usage stay as they are laid out."""
@@ -68,6 +76,11 @@ def shape_docstring(app: Any, what: str, name: str, of: Any, options: Any, lines
     lines[:] = text
     if any(line.strip() for line in rest):
         lines += ["", ".. code-block:: none", "", *(f"   {line}" if line.strip() else "" for line in rest), ""]
+
+
+def shape_comment(app: Any, lines: list[str], transform: Any, options: Any) -> None:
+    """Comments of C++ become text and fields."""
+    lines[:] = headers.shaped(lines)
 
 
 def skip_foreign(app: Any, what: str, name: str, of: Any, skip: bool, options: Any) -> bool | None:
@@ -86,4 +99,5 @@ def setup(app: Any) -> None:
     """Called by Sphinx."""
     app.add_html_math_renderer("mathml", (draw_math, None), (draw_math, None))
     app.connect("autodoc-skip-member", skip_foreign)
+    app.connect("hawkmoth-process-docstring", shape_comment)
     app.connect("autodoc-process-docstring", shape_docstring)

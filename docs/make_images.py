@@ -27,8 +27,10 @@ import walk_anywhere
 
 IMAGES = Path(__file__).parent / "images"
 MOVING, FPS = (480, 360), 20  # of the picture that moves [pixels, 1/s]
+CROSSES = {"estimated ZMP": "zmp_est", "COM": "com"}  # on the ground of each picture
 DRAWN = ("estimate", "walk", "sagittal", "mixed", "ground", "stairs")
 TIMES = {0.4: "stands on the left foot", 2.0: "first steps", 4.9: "both feet down", 5.3: "swings a leg"}
+PORTING_TIMES = {0.0: "start pose", 9.95: "swings a leg", 10.24: "both feet down", 10.65: "swings the other leg"}
 # What the script of the mixed walk does from one instant to the next [s].
 LEGS = {
     (0.0, 15.5): "0 to 15 s: forward, then in a curve to the left",
@@ -49,14 +51,27 @@ def sagittal(trace: zmpwalk.Trace) -> Figure:
 
 
 def walk(trace: zmpwalk.Trace) -> Figure:
-    """Four instants of the walk side by side, each under its time."""
+    """Four instants of the walk."""
+    return instants(trace, TIMES)
+
+
+def porting(trace: zmpwalk.Trace) -> Figure:
+    """Four instants of the walk of the Fourier N1 in docs/porting.md."""
+    return instants(trace, PORTING_TIMES)
+
+
+def instants(trace: zmpwalk.Trace, times: dict[float, str]) -> Figure:
+    """Instants of a walk side by side, each under its time, over a line that says what the crosses are."""
     with matplotlib.rc_context(plot.STYLE):
-        figure = plot.WalkFigure(figsize=(10.0, 3.3))
-        for i, (t, word) in enumerate(TIMES.items()):
-            ax = figure.add_axes((0.25 * i, 0.0, 0.248, 0.92))
+        figure = plot.WalkFigure(figsize=(10.0, 3.5))
+        for i, (t, word) in enumerate(times.items()):
+            ax = figure.add_axes((0.25 * i, 0.06, 0.248, 0.87))
             ax.imshow(render.snapshot(trace, t=t, width=400, height=480), aspect="auto")
             ax.set_axis_off()
-            figure.text(0.25 * i + 0.006, 0.94, f"{t:g} s: {word}", fontsize=9)
+            figure.text(0.25 * i + 0.006, 0.95, f"{t:g} s: {word}", fontsize=9)
+        for k, (name, mark) in enumerate(CROSSES.items()):
+            figure.text(0.006 + 0.14 * k, 0.015, f"+ {name}", fontsize=9, color=render.MARKS[mark])
+        figure.text(0.2, 0.015, "crosses on the ground", fontsize=9, color=plot.FAINT)
     return figure
 
 
@@ -65,17 +80,23 @@ def mixed(trace: zmpwalk.Trace) -> Figure:
     path = analysis.planned_path(trace)[:, :2]
     low, high = path.min(axis=0) - 0.35, path.max(axis=0) + 0.35
     with matplotlib.rc_context(plot.STYLE):
-        figure = plot.WalkFigure(figsize=(10.0, 8.1), layout="constrained")
+        figure = plot.WalkFigure(figsize=(10.0, 8.4), layout="constrained")
+        figure.get_layout_engine().set(w_pad=0.12, h_pad=0.08)
         for i, (ax, ((start, end), words)) in enumerate(zip(figure.subplots(2, 2).ravel(), LEGS.items())):
             ax.plot(*path.T, color=plot.PLANNED, lw=0.8, ls=":", zorder=0)
             plot.footprints(trace, start, end, ax=ax)
+            for line in [line for line in ax.get_lines() if line.get_label() == "measured ZMP"]:
+                line.remove()  # too much for turns on the spot
             handles, labels = ax.get_legend_handles_labels()
             ax.get_legend().remove()
             ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
             ax.set_title(words, loc="left", fontsize=9)
             if i == 0:
-                shown = [k for k, label in enumerate(labels) if not label.startswith(("start", "end"))]
-                figure.legend([handles[k] for k in shown], [labels[k] for k in shown], loc="outside upper left", ncol=6)
+                names = {"start": "start of the part", "end": "end of the part"}
+                labels = [names.get(label.split(",")[0], label) for label in labels]
+                handles.append(ax.get_lines()[0])
+                labels.append("the whole way")
+                figure.legend(handles, labels, loc="outside upper left", ncol=5)
     return figure
 
 
@@ -92,8 +113,12 @@ def moving() -> None:
         camera = {"lookat": (*path[k], 0.75), "azimuth": 145.0, "elevation": -14.0, "distance": 2.6}
         picture = Image.fromarray(render.snapshot(trace, t=t, width=MOVING[0], height=MOVING[1], camera=camera))
         pushed = push.t <= t < push.t + 0.6
-        words = "pushed by 30 N s" if pushed else f"{speed[k]:.2f} m/s"
-        ImageDraw.Draw(picture).text((10, 8), words, fill=(20, 20, 20), font=font)
+        words = f"{t:4.1f} s   {speed[k]:.2f} m/s" + ("   pushed by 30 N s" if pushed else "")
+        text = ImageDraw.Draw(picture)
+        text.text((10, 8), words, fill=(20, 20, 20), font=font)
+        for k, (name, mark) in enumerate(CROSSES.items()):
+            colour = tuple(round(255 * share) for share in render.MARKS[mark][:3])
+            text.text((10 + 140 * k, MOVING[1] - 26), f"+ {name}", fill=colour, font=font)
         pictures.append(picture)
     options = {"duration": round(1000 / FPS), "loop": 0, "quality": 60, "method": 6}
     pictures[0].save(IMAGES / "walking.webp", save_all=True, append_images=pictures[1:], **options)
@@ -118,12 +143,17 @@ def heights(trace: zmpwalk.Trace, t: float, camera: dict[str, float], **axes: An
         view = figure.add_axes((0.0, 0.0, 0.36, 1.0))
         view.imshow(render.snapshot(trace, t=t, width=500, height=472, camera=camera), aspect="auto")
         view.set_axis_off()
-        ax = figure.add_axes((0.43, 0.17, 0.56, 0.76))
-        for foot, label in ((trace.foot_left, "left sole"), (trace.foot_right, "right sole")):
-            ax.plot(trace.t, 100.0 * foot[:, 2], lw=0.9, label=label)
-        ax.plot(trace.t, 100.0 * trace.ground, color="black", lw=1.6, label="height that the COM follows")
-        ax.set(**axes, xlabel="t [s]", ylabel="height over the floor [cm]")
-        ax.legend(loc="upper left", ncol=3)
+        figure.text(0.01, 0.93, f"at {t:.2f} s", fontsize=9)
+        ax = figure.add_axes((0.43, 0.17, 0.555, 0.72))
+        for foot, label, colour in (
+            (trace.foot_left, "left sole", plot.SOLE),
+            (trace.foot_right, "right sole", plot.RIGHT_SOLE),
+        ):
+            ax.plot(trace.t, 100.0 * foot[:, 2], lw=1.1, color=colour, label=label)
+        ax.plot(trace.t, 100.0 * trace.ground, color="black", lw=1.6, label="ground that is followed")
+        ax.axvline(t, color=plot.FAINT, ls=":", lw=1.2, label="instant on the left")
+        ax.set(**axes, xlabel="time [s]", ylabel="height over the floor [cm]")
+        ax.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncol=4, borderaxespad=0.2)
     return figure
 
 
@@ -163,7 +193,12 @@ def viewer() -> None:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--only", choices=(*DRAWN, "howto", "viewer", "moving"), help="one picture")
-    only = parser.parse_args().only
+    parser.add_argument("--porting", metavar="TRACE", help="the walk of docs/porting.md, of which its picture is drawn")
+    args = parser.parse_args()
+    only = args.only
+    if args.porting:
+        porting(zmpwalk.Trace.load(args.porting)).savefig(IMAGES / "porting_walk.png", dpi=100)
+        return
     if only in (None, "howto"):
         howtos()
     if only in (None, "moving"):
