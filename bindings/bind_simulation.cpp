@@ -70,10 +70,10 @@ OnFall on_fall_of(const std::string& word) {
 }
 
 py::tuple run(Simulation& simulation, WalkingController& controller, double duration, const py::object& on_progress,
-              const py::object& command, double command_interval, OnFall on_fall) {
+              const py::object& command, double command_interval, OnFall on_fall, bool only_last = false) {
   require_positive("duration", duration);
   const Busy busy(controller, "run");
-  Recorder recorder(controller, duration);
+  Recorder recorder(controller, duration, only_last);
   PythonProgress progress(on_progress, duration);
   PythonCommand steer(controller, command);
   std::function<bool(const CycleOutput&)> after_cycle;
@@ -199,17 +199,20 @@ void bind_simulation(py::module_& m) {
       .def(
           "run",
           [](PySimulation& s, double duration, const py::object& on_progress, const py::object& command,
-             double command_interval, const std::string& on_fall) {
-            return run(s, s.controller, duration, on_progress, command, command_interval, on_fall_of(on_fall));
+             double command_interval, const std::string& on_fall, bool only_last) {
+            return run(s, s.controller, duration, on_progress, command, command_interval, on_fall_of(on_fall),
+                       only_last);
           },
           "duration"_a, "on_progress"_a = py::none(), "command"_a = py::none(), "command_interval"_a = 0.02,
-          "on_fall"_a = "stop",
+          "on_fall"_a = "stop", "only_last"_a = false,
           "Walks on for `duration`.\n\n"
           "Args:\n    duration: [s].\n    on_progress: called as f(t, duration) about 20 times a second; may raise.\n"
           "    command: called as f(t, out) after the first cycle and then every `command_interval` [s]; returns\n"
           "        (vx, vy, wz) or None, which leaves the command as it is; StopIteration ends the run.\n"
           "    on_fall: \"stop\" ends where the controller says that the robot has fallen, \"go_on\" only where it "
-          "lies on the ground.\n\n"
+          "lies on the ground.\n"
+          "    only_last: return the last row of the columns alone, for a caller who looks at the walk now and "
+          "then.\n\n"
           "Returns:\n    (columns, info) of this stretch.\n\nRaises:\n    InputError; whatever a callback raises; "
           "KeyboardInterrupt.")
       .def_property_readonly("time", [](PySimulation& s) { return *s.data().time; }, "Simulated time [s].");

@@ -4964,6 +4964,7 @@ class Simulation:
         command: typing.Any = None,
         command_interval: typing.SupportsFloat | typing.SupportsIndex = 0.02,
         on_fall: str = "stop",
+        only_last: bool = False,
     ) -> tuple:
         """
         Walks on for `duration`.
@@ -4974,6 +4975,7 @@ class Simulation:
             command: called as f(t, out) after the first cycle and then every `command_interval` [s]; returns
                 (vx, vy, wz) or None, which leaves the command as it is; StopIteration ends the run.
             on_fall: "stop" ends where the controller says that the robot has fallen, "go_on" only where it lies on the ground.
+            only_last: return the last row of the columns alone, for a caller who looks at the walk now and then.
 
         Returns:
             (columns, info) of this stretch.

@@ -205,7 +205,7 @@ class Walk(gymnasium.Env):
         if self._action == "velocity":
             if not first:
                 self.controller.command(*(action * self.reach).tolist())
-            columns, info = self._simulation.run(dt if first else self.period)
+            columns, info = self._simulation.run(dt if first else self.period, only_last=True)
             self._row = {name: columns[name][-1] for name in COLUMNS}
             self._fell, self._cause = bool(info["fell"]), str(info["fall_cause"] or "")
             return

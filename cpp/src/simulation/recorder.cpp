@@ -22,8 +22,9 @@ std::size_t rows_within(double duration, double dt) {
   return static_cast<std::size_t>(std::clamp(duration, 0.0, kReservedTime) / dt) + 2;
 }
 
-Recorder::Recorder(const WalkingController& controller, double duration) : controller_(&controller) {
-  const std::size_t rows = rows_within(duration, controller.settings().control.dt);
+Recorder::Recorder(const WalkingController& controller, double duration, bool only_last)
+    : controller_(&controller), only_last_(only_last) {
+  const std::size_t rows = only_last ? 1 : rows_within(duration, controller.settings().control.dt);
   for (const RecordedColumn& column : recorded_columns()) {
     const int width = column.parts.width(controller.robot().nv());
     columns_.push_back({column.name, width, {}});
@@ -49,6 +50,8 @@ void Recorder::add(const CycleOutput& out, const Data& data, const Robot& robot,
   const Plane plane = Plane::through(contact_.sole[out.support > 0 ? kLeft : kRight], out.zmp_plane.head<3>());
   const RecordedCycle cycle{
       out, measured_zmp(contact_, plane), contact_.wrench, contact_.self_contacts, robot.joint_margin(data), q, dq};
+  if (only_last_)
+    for (Column& each : columns_) each.values.clear();
   auto column = columns_.begin();
   visit_columns([&](const char*, const auto& get, const auto&...) { append(column_value(get, cycle), *column++); });
   ++rows_;

@@ -23,7 +23,8 @@ std::size_t rows_within(double duration, double dt);
 class Recorder {
  public:
   /// @param controller must outlive the recorder   @param duration length of the walk for which memory is set aside, so that `add` does not allocate [s]
-  explicit Recorder(const WalkingController& controller, double duration = 0.0);
+  /// @param only_last   keep the last row alone, for a caller who looks at a walk now and then
+  explicit Recorder(const WalkingController& controller, double duration = 0.0, bool only_last = false);
 
   /// Adds one row, if `out` is a new cycle. Call right after mj_step: `data` then holds the contact forces of this cycle.
   void add(const CycleOutput& out, const Data& data);
@@ -46,7 +47,8 @@ class Recorder {
 
   const WalkingController* controller_;
   std::vector<Column> columns_;
-  std::size_t rows_ = 0;
+  std::size_t rows_ = 0;  // that were added
+  bool only_last_;
   MeasuredContact contact_;
 };
 
