@@ -175,7 +175,8 @@ def test_figure_shows_both_soles_and_the_com(robot, renders, monkeypatch):
     figure = draw(model, appraise(model, description))
     above = figure.axes[-1]
     labels = above.get_legend_handles_labels()[1]
-    assert labels == ["can touch the ground", "sole, 250 × 140 mm", "bounds of the ZMP", "ankle axes", "COM"]
+    sole = "rectangle taken as the sole, 250 × 140 mm"
+    assert labels == ["can touch the ground", sole, "bounds of the ZMP", "ankle axes", "COM"]
     outlines = [patch.get_xy()[:-1] for patch in above.patches]
     assert np.ptp(outlines[2], axis=0) == pytest.approx([0.25, 0.14])
     assert np.mean(outlines[2], axis=0) == pytest.approx([0.0, 0.11])

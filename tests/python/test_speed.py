@@ -117,7 +117,7 @@ def test_batch_shares_one_model_and_takes_objects():
         ([{"duration": -1.0}], 1, "duration is -1"),
         ([{"seed": 0.5}], 1, "seed is 0.5"),
         ([{}], 0, "threads is 0"),
-        ([{"duration": 0.1}, {"profile": zmpwalk.VelocityProfile.constant(9.0)}], 2, "9.0"),
+        ([{"duration": 0.1}, {"profile": zmpwalk.VelocityProfile.constant(9.0)}], 2, "9 m/s"),
     ],
 )
 def test_bad_batches_are_refused_before_the_first_step(runs, threads, words):
